@@ -23,7 +23,7 @@ from tests.strokes.motions import (
 from tests.strokes.wording import WORDING
 from vad.kinematics.linkage import Bar, Slide, Step
 from vad.kinematics.motion import Motion
-from vad.strokes.sheet import Arc, Arrow, Line
+from vad.strokes.sheet import Arc, Arrow, Line, Stroke
 from vad.words import Language, languages
 
 
@@ -58,6 +58,11 @@ def same_line(one: complex, other: complex) -> bool:
     return same_way(one, other) or same_way(one, -other)
 
 
+def in_cylinder(motion: Motion, stroke: Stroke) -> bool:
+    """Tell whether a stroke is the given rate of a cylinder."""
+    return stroke.kind == "known" and stroke.link in motion.mechanism.links
+
+
 @in_every_language
 @everything
 def test_no_word_is_said_without_being_meant(name: str, code: str) -> None:
@@ -67,6 +72,7 @@ def test_no_word_is_said_without_being_meant(name: str, code: str) -> None:
         along = isinstance(stroke.shape, Arrow) and slide_of(motion, stroke) is not None
         along = along and stroke.component in ("sliding", "absolute") and not stroke.image
         along = along and panel.name != "position" and stroke.kind in ("known", "result")
+        along = along and not in_cylinder(motion, stroke)  # it names the two ends
         ways = along or (turning and panel.name == "velocity")
         senses = turning or stroke.kind == "angle"
         assert WORDING[code].count(stroke.caption) == (ways, senses), stroke
@@ -81,6 +87,10 @@ def test_a_block_slides_the_way_that_is_said(name: str, code: str) -> None:
             continue
         if isinstance(stroke.shape, Arrow):
             truth = sliding(motion, slide, ORDERS[panel.name])
+            if in_cylinder(motion, stroke):
+                found = WORDING[code].towards.search(stroke.caption)
+                assert found and same_way(truth, between(motion, found["tail"] + found["head"]))
+                continue
             assert heads(truth, WORDING[code].way(stroke.caption)), stroke
             assert same_way(vector(stroke), truth)
 

@@ -65,7 +65,7 @@ class Data:
     def typed(self) -> bool:
         """Whether the caption says the given rate of what slides, as it was given."""
         slides = self.stroke.kind == "known" and self.stroke.link in self.motion.slides
-        return slides and self.stroke.component != "coriolis"
+        return slides and self.stroke.component in ("sliding", "absolute")
 
     @property
     def carries(self) -> bool:

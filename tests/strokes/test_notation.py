@@ -25,8 +25,12 @@ def said(sheet: Sheet) -> dict[str, str]:
 def test_large_rates_are_written_in_metres_and_the_data_stay() -> None:
     sheet = vad.draw(vad.solve(vad.SliderCrank(), omega=100.0))
     captions, panel = said(sheet), sheet.panel("acceleration")
-    assert captions["velocity:AB.tangential"].startswith("ab = ω₂·AB = 100 × 0.06 = 6.000 m/s, ")
-    assert captions["acceleration:AB.normal"].startswith("a′b′ = ω₂²·AB = 100² × 0.06 = 600.0 m/s²")
+    assert captions["velocity:AB.tangential"].startswith(
+        "ab = ω₂·AB = 100 rad/s × 0.06 m = 6.000 m/s, "
+    )
+    assert captions["acceleration:AB.normal"].startswith(
+        "a′b′ = ω₂²·AB = (100 rad/s)² × 0.06 m = 600.0 m/s²"
+    )
     assert captions["position:AB.bar"] == "The crank AB = 60 mm stands at 60°."
     assert captions["acceleration:DC.sliding"].endswith("a = −172.6 m/s².")
     assert "v = −6.395 m/s, a = −172.6 m/s²" in describe(sheet)

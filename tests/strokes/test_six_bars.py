@@ -104,7 +104,7 @@ def test_velocity_lines_are_square_to_the_link_and_acceleration_lines_at_its_ang
     turned = line.direction / base * abs(base)
     assert turned.imag == pytest.approx(0.5, rel=1e-12)  # 30° from BC, as in the file
     assert strokes["BE.line"].label == "∠ CBE"
-    assert "CBE = 30° from b′c′" in strokes["BE.line"].caption
+    assert "∠CBE = 30°, counter-clockwise from b′c′" in strokes["BE.line"].caption
 
 
 @pytest.mark.parametrize(

@@ -90,14 +90,14 @@ WORDING = {
         own=re.compile(": (?P<head>[A-Z]) läuft (?P<way>[^:]+)[.]$"),
         sideways=re.compile("quer zu (?P<bar>[A-Z]{2}) läuft (?P<head>[A-Z]) (?P<way>.+)[.]"),
         square=re.compile("(?:senkrecht zu|⟂) (?P<bar>[A-Z]{2})"),
-        with_it=re.compile("im Sinn von (?P<rate>[ωα])"),
+        with_it=re.compile("im Drehsinn von (?P<rate>[ωα])"),
         turned=re.compile("Coriolisbeschleunigung: v um 90° im Drehsinn von (?P<omega>ω.) gedreht"),
         slotted=re.compile(
             "geht durch (?P<tail>[A-Z]), und (?P<head>[A-Z]) liegt auf seiner Geraden"
         ),
         whose=re.compile(
             "die (?:Geschwindigkeit|Beschleunigung) von (?P<head>[A-Z])"
-            "(?: gegenüber (?P<tail>[A-Z]))?"
+            "(?: relativ zu (?P<tail>[A-Z]))?"
         ),
         bound=re.compile("relativ zu (?P<tail>[A-Z]) kann sich (?P<head>[A-Z]) nur so bewegen"),
         carried=re.compile(
@@ -116,7 +116,7 @@ WORDING = {
         sideways=re.compile(
             "perpendiculairement à (?P<bar>[A-Z]{2}), (?P<head>[A-Z]) se déplace (?P<way>.+)[.]"
         ),
-        square=re.compile("(?:perpendiculairement à|⟂) (?P<bar>[A-Z]{2})"),
+        square=re.compile("(?:perpendiculairement à|perpendiculaire à|⟂) (?P<bar>[A-Z]{2})"),
         with_it=re.compile("dans le sens de (?P<rate>[ωα])"),
         turned=re.compile(
             r"accélération de Coriolis\s: v tournée de 90° dans le sens de (?P<omega>ω.)"

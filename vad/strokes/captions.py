@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import Generic
 
-from vad.kinematics.linkage import Bar, Slide, Step, length_of
+from vad.kinematics.linkage import Bar, Slide, Step, length_of, points_of
 from vad.strokes.arithmetic import Calculation, Figure, product
 from vad.strokes.diagram import ORDERS
 from vad.strokes.loops import StepVector
@@ -144,7 +144,7 @@ class Captions(PolygonCaptions[StepVector]):
                 Figure(abs(part.vector), self.unit, typed=True),
                 Unit(self.unit, typed=True),
             )
-            line, way = scene.line(slide), self._direction(part.vector)
+            line, way = scene.line(slide), self._driven_way(slide, part.vector)
             phrase = f"sliding {self.panel}"
             return self.say(phrase, label=label, value=value, unit=unit, line=line, way=way)
         sliding = abs(scene.speed(slide.name, 1))
@@ -300,6 +300,17 @@ class Captions(PolygonCaptions[StepVector]):
             inside = "slot" if slide.name == slide.along else "link"
             return f"along velocity {inside}" if self.order == 1 else "along acceleration"
         return "along velocity" if self._scene.members.is_guide(slide) else "along velocity slot"
+
+    def _driven_way(self, slide: Slide, vector: complex) -> Sentence:
+        """Say which way a given vector points: in a cylinder, from which end to which."""
+        ends = self._scene.motion.mechanism.links.get(slide.name)
+        if not ends:
+            return self._direction(vector)
+        tail, head = points_of(ends)
+        span = self._scene.at(head) - self._scene.at(tail)
+        ahead = (vector * span.conjugate()).real > 0
+        pair = ("extending", "retracting") if self.order == 1 else ("outwards", "inwards")
+        return self.say(pair[0] if ahead else pair[1], tail=tail, head=head)
 
     def _direction(self, vector: complex) -> Sentence:
         if abs(vector.real) >= abs(vector.imag):

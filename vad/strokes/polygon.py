@@ -203,11 +203,13 @@ class Images:
             label, square, said = f"⟂ {side}", side, pencil.say.across(near, bar.head)
         else:
             label, square = f"∠ {corner}", None
+            angle = self._angle(near, far, bar.head)
             said = scene.say(
                 "image line",
                 point=pencil.letter(near),
                 corner=corner,
-                angle=scene.measured(self._angle(near, far, bar.head), "°"),
+                angle=scene.measured(abs(angle), "°"),
+                sense=pencil.say.sense(angle),
                 side=pencil.letter(near) + pencil.letter(far),
                 meeting=pencil.letter(bar.head),
             )

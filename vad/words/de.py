@@ -7,7 +7,7 @@ PHRASES = {
     "given": "gegeben",
     "colon": ": ",
     "legend": "grau: gegeben",
-    "coriolis rule": "Coriolis: *v* um 90° mit *ω* gedreht",
+    "coriolis rule": "Coriolis: *v* um 90° im Drehsinn von *ω* gedreht",
     # eine Frage eines Fragenkatalogs
     "quiz given": "{title}: {given}.",
     "quiz angle": "Gesucht: der Winkel {link:des} in Grad, gegen den Uhrzeigersinn von *x* aus.",
@@ -59,7 +59,7 @@ PHRASES = {
     "swings": "{part} schwingt zwischen {low} und {high}",
     "slides": "{part} läuft zwischen {low} und {high}",
     # Lageplan
-    "fixed": "{letter} ist ein festes Gelenk.",
+    "fixed": "{letter} ist ein Gestellgelenk.",
     "fixed point": "{letter} ist ein fester Punkt.",
     "guides cross": "{letter}, wo sich die Führungen schneiden, ist fest.",
     "guide": "{head} gleitet längs seiner Führung.",
@@ -81,17 +81,17 @@ PHRASES = {
     "slot line": "Der Schlitz {link:des} geht durch {pin}, und {head} liegt auf seiner Geraden.",
     "found": "{letter} liegt im Schnittpunkt.",
     "arcs cross": "{letter} ist der Schnittpunkt der Bögen.",
-    "on guide": "{letter} liegt, wo der Bogen die Führung schneidet.",
-    "on slot": "{letter} liegt, wo die Gerade des Schlitzes die Führung schneidet.",
+    "on guide": "{letter} ist der Schnittpunkt von Bogen und Führung.",
+    "on slot": "{letter} ist der Schnittpunkt des Schlitzes mit der Führung.",
     "on lever": "{letter} ist der Punkt {link:des}, der jetzt unter {pin} liegt.",
     "bar": "{link:Der} {bar} steht bei {symbol} = {angle}°.",
     "block": "{slide:Der} {head} steht bei {symbol} = {value} {unit}.",
     "block from": (
         "{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus gemessen."
     ),
-    "plate": "{link:Der} ist ein starres Stück mit den Ecken {corners}.",
+    "plate": "{link:Der} ist der starre Körper {corners}.",
     "third point": "{letter} ist der Schnittpunkt der Bögen: {corners} behält seinen Umlaufsinn.",
-    "on link slot": "{letter} liegt, wo der Bogen die Gerade des Schlitzes schneidet.",
+    "on link slot": "{letter} ist der Schnittpunkt des Bogens mit der Geraden des Schlitzes.",
     "in slot": "{head} liegt auf der Geraden des Schlitzes {link:des}.",
     "tip": "{letter} liegt auf {link:dem}, {size} {unit} von {tail}.",
     "tip against": "{letter} liegt auf {link:dem}, {size} {unit} von {tail} auf der anderen Seite.",
@@ -107,12 +107,12 @@ PHRASES = {
     "on the guide": "{letter} ({point} auf der Führung)",
     "still": "Der Antrieb steht still und mit ihm alles andere: das Polygon ist sein Pol.",
     "velocity of": "die Geschwindigkeit von {head}",
-    "velocity of relative": "die Geschwindigkeit von {head} gegenüber {tail}",
+    "velocity of relative": "die Geschwindigkeit von {head} relativ zu {tail}",
     "acceleration of": "die Beschleunigung von {head}",
-    "acceleration of relative": "die Beschleunigung von {head} gegenüber {tail}",
+    "acceleration of relative": "die Beschleunigung von {head} relativ zu {tail}",
     "tangential velocity whole": (
-        "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {omega}: "
-        "{whose}."
+        "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Drehsinn von "
+        "{omega}: {whose}."
     ),
     "normal": (
         "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}."
@@ -122,11 +122,12 @@ PHRASES = {
         "{whose}."
     ),
     "tangential acceleration": (
-        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {alpha}."
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Drehsinn von "
+        "{alpha}."
     ),
     "tangential acceleration whole": (
-        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Sinn von {alpha}: "
-        "{whose}."
+        "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Drehsinn von "
+        "{alpha}: {whose}."
     ),
     "sliding velocity": (
         "{label} = {value} {unit}, {way}: die gegebene Geschwindigkeit längs {line:des}."
@@ -147,8 +148,8 @@ PHRASES = {
         "bewegen, also liegt {meeting} darauf."
     ),
     "across acceleration": (
-        "⟂ {bar} durch {point}: von {alpha}·{bar} ist nur die Richtung bekannt, also liegt "
-        "{meeting} darauf."
+        "⟂ {bar} durch {point}: die Richtung ist bekannt, die Länge nicht, also liegt {meeting} "
+        "auf dieser Geraden."
     ),
     "along velocity": (
         "∥ {line} durch {point}: anders kann sich {slide:der} {head} nicht bewegen, also liegt "
@@ -163,8 +164,8 @@ PHRASES = {
         "liegt {meeting} darauf."
     ),
     "along acceleration": (
-        "∥ {line} durch {point}: vom Gleitanteil ist nur die Richtung bekannt, also liegt "
-        "{meeting} darauf."
+        "∥ {line} durch {point}: die Richtung ist bekannt, die Länge nicht, also liegt {meeting} "
+        "auf dieser Geraden."
     ),
     "crossing": "{letter} ist der Schnittpunkt der Geraden.",
     "crossing zero": "{letter} ist der Schnittpunkt der Geraden: {found}.",
@@ -205,8 +206,8 @@ PHRASES = {
         "Umlaufsinn: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Durch {point} unter {corner} = {angle}° gegen {side}, im Drehsinn des Glieds: {meeting} "
-        "liegt darauf."
+        "Durch {point} unter ∠{corner} = {angle}°, {sense} von {side} aus, wie am Glied: {meeting} "
+        "liegt auf dieser Geraden."
     ),
     "image alike velocity": (
         "{letter} fällt auf {point}: {link:der} dreht sich in diesem Augenblick nicht, alle Punkte "
@@ -255,6 +256,10 @@ PHRASES = {
     "at scale": "{what} 1 : {share}",
     "counter-clockwise": "gegen den Uhrzeigersinn",
     "clockwise": "im Uhrzeigersinn",
+    "extending": "von {tail} nach {head} (ausfahrend)",
+    "retracting": "von {head} nach {tail} (einfahrend)",
+    "outwards": "von {tail} nach {head}",
+    "inwards": "von {head} nach {tail}",
     "right": "nach rechts",
     "left": "nach links",
     "up": "nach oben",
@@ -280,21 +285,21 @@ PHRASES = {
     "spherical true A": "Die Kurbel steht bei {angle}°.",
     "spherical angle A": "Ihr Winkel zählt von außen gesehen gegen den Uhrzeigersinn.",
     "spherical true D": "Die Schwinge steht bei {symbol} = {angle}°.",
-    "spherical angle D": "Es ist {symbol}.",
+    "spherical angle D": "{symbol} zählt gegen den Uhrzeigersinn, von außen gesehen.",
     "spherical crank": "Die Kurbel *AB* = {size}° steht bei {angle}°.",
     "spherical B": "An ihrem Ende liegt *B*.",
     "spherical about B": "*C* liegt auf dem Kreis um *B* mit dem Radius *BC* = {size}°.",
     "spherical about D": (
         "*C* liegt auf dem Kreis um *D* mit dem Radius *DC* = {size}°, der als Strecke erscheint."
     ),
-    "spherical C": "*C* liegt, wo sich die beiden Kreise schneiden.",
+    "spherical C": "*C* ist der Schnittpunkt der beiden Kreise.",
     "spherical coupler": "Die Koppel *BC*: sie steht in *B* bei {b}° und in *C* bei {c}°.",
     "spherical rocker": "Die Schwinge *DC*.",
     "spherical great circle": "Der Großkreis der Koppel wird bis zum Umriss verfolgt.",
     "spherical I": "Dort, in *I*, trifft er den Großkreis des Gestells.",
     "spherical OI": (
         "Die Ebenen von Koppel und Gestell schneiden sich in *OI*: um diese Achse dreht sich die "
-        "Schwinge gegenüber der Kurbel."
+        "Schwinge relativ zur Kurbel."
     ),
     # Pläne von Körpern
     "bodies remark": "1 2 4 in der Gestellebene, 2 3 4 in der Koppelebene, umgeklappt",
@@ -463,7 +468,7 @@ PHRASES = {
         "*OQ* steht senkrecht auf *OP*; *P* liegt in der Ebene dieser Ansicht, also erscheint der "
         "rechte Winkel als solcher: *Q* liegt auf dieser Geraden."
     ),
-    "hooke Q": "*Q*, der Zapfen von Gabel 4, liegt, wo die Gerade die Ellipse schneidet.",
+    "hooke Q": "*Q*, der Zapfen von Gabel 4, ist der Schnittpunkt der Geraden mit der Ellipse.",
     "hooke arm": "*OQ* ist der andere Arm des Kreuzes.",
     "hooke turned": "Parallel zur Ebene der Wellen wird *Q* in diese Ansicht gedreht.",
     "hooke ratio": "tan {theta} / cos {shafts}",
@@ -517,7 +522,7 @@ PHRASES = {
     "klein rod": "Die Gerade der Stange {b}{c}, verlängert.",
     "klein square": "Durch {a}, senkrecht zur Führung.",
     "klein M": (
-        "*M* liegt, wo sich beide Geraden schneiden: {a}{b}*M* ist der Geschwindigkeitsplan, um "
+        "*M* ist der Schnittpunkt beider Geraden: {a}{b}*M* ist der Geschwindigkeitsplan, um "
         "90° gedreht."
     ),
     "klein rod 1": (
@@ -529,16 +534,17 @@ PHRASES = {
     ),
     "klein circle M": "Ein Kreis um {b} durch *M*.",
     "klein circle rod": "Ein Kreis mit der Stange {b}{c} als Durchmesser.",
-    "klein K": "*K* liegt, wo sich beide Kreise schneiden.",
-    "klein L": "*L* liegt, wo sie sich noch einmal schneiden.",
+    "klein K": "*K* ist der Schnittpunkt der beiden Kreise.",
+    "klein L": "*L* ist ihr zweiter Schnittpunkt.",
     "klein chord": "Die Sehne *KL* steht senkrecht zur Stange.",
     "klein Q": (
-        "*Q* liegt, wo *KL* die Stange schneidet: {b}*Q* ist ihre Normalbeschleunigung, durch ω²."
+        "*Q* ist der Schnittpunkt von *KL* mit der Stange: {b}*Q* ist ihre Normalbeschleunigung, "
+        "durch ω²."
     ),
     "klein guide": "Durch {a}, längs der Führung.",
     "klein N": (
-        "*N* liegt, wo *KL* diese Gerade schneidet: {a}{b}*QN* ist der Beschleunigungsplan, um "
-        "180° gedreht."
+        "*N* ist der Schnittpunkt von *KL* mit dieser Geraden: {a}{b}*QN* ist der "
+        "Beschleunigungsplan, um 180° gedreht."
     ),
     "klein rod 2": (
         "{side} = {size}: {c} hat gegen {b} *a*ₜ = {omega}²·{side} = {rate} × {size} = {value} "
@@ -560,8 +566,8 @@ PHRASES = {
         "{letter} liegt auf einer Geraden mit {one} und {other}, der im Unendlichen liegt und die "
         "Richtung gibt."
     ),
-    "centre found": "{letter} liegt, wo sich beide Geraden schneiden.",
-    "centre away": "{letter} liegt, wo sich beide Geraden schneiden, {size} {unit} von {other}.",
+    "centre found": "{letter} ist der Schnittpunkt beider Geraden.",
+    "centre away": "{letter} ist der Schnittpunkt beider Geraden, {size} {unit} von {other}.",
     "centre away label": "{letter}: {size} {unit} von {other}",
     "centre far": "Beide Geraden sind parallel: {letter} liegt im Unendlichen.",
     "centre far label": "{letter} im Unendlichen",
@@ -596,7 +602,7 @@ PHRASES = {
     "turned crank": "So ist {label} {crank:der} {bar} selbst.",
     "turned along": "Eine Geschwindigkeit senkrecht zu {bar} liegt gedreht längs {bar}.",
     "turned square": "Eine Geschwindigkeit längs {line:des} steht gedreht senkrecht dazu.",
-    "turned crossing": "{letter} liegt, wo sich beide Geraden schneiden.",
+    "turned crossing": "{letter} ist der Schnittpunkt beider Geraden.",
     "turned omega": (
         "{label} = {size}, also {symbol} = {omega}·{label}/{bar} = {rate} × {size}/{length} = "
         "{turning} {rad/s}, {sense}."
@@ -712,7 +718,7 @@ PHRASES = {
     "spatial true directions": "Längs *DA* gesehen liegen *OA* und *OD* in der Zeichenebene.",
     "spatial I": (
         "Dort schneiden sich Gestellebene und Koppelebene in *OI*, *τ* = {tau}° von *OA*: um *OI* "
-        "dreht sich die Schwinge gegenüber der Kurbel."
+        "dreht sich die Schwinge relativ zur Kurbel."
     ),
     "spatial c": "Von dort hat die Achse in *C* ihre Richtung.",
     "spatial slides B": (
@@ -729,7 +735,7 @@ PHRASES = {
     ),
     "spatial C": "*C* ist der Fußpunkt von *BC* auf seiner Achse.",
     "spatial screw": (
-        "Um *I* dreht sich die Schwinge gegenüber der Kurbel, und sie gleitet längs *I*."
+        "Um *I* dreht sich die Schwinge relativ zur Kurbel, und sie gleitet längs *I*."
     ),
     "spatial H": "*I* schneidet *AD* rechtwinklig in *H*: *AH* = {height} {unit}.",
     # die unteren Polygone
@@ -741,7 +747,7 @@ PHRASES = {
     ),
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: als Punkt der Schwinge "
-        "dreht sich *A* gegenüber der Kurbel um *I*."
+        "dreht sich *A* relativ zur Kurbel um *I*."
     ),
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *A* "
@@ -782,7 +788,7 @@ PHRASES = {
         "*B* steht {height} {unit} {side} der Ebene des Kreises von *C*: hier ist *BC* = "
         "√({size}² − {height}²) = {reach} {unit}."
     ),
-    "balls C": "*C* liegt, wo sich die beiden Kreise schneiden.",
+    "balls C": "*C* ist der Schnittpunkt der beiden Kreise.",
     "balls BC front": "Die Koppel *BC*.",
     "balls rocker": "Die Schwinge *DC* steht bei {theta} = {angle}°.",
     "balls rocker angle": "Auch ihr Winkel wird vom gemeinsamen Lot aus gemessen.",
@@ -1113,6 +1119,7 @@ HAND = {
 #: Zeichen, wie sie vorgelesen werden; „^“ ist eine Potenz.
 SPOKEN = {
     "√": "Wurzel aus ",
+    "∠": "Winkel",
     "⟂": "senkrecht zu",
     "∥": "parallel zu",
     "′": " Strich",

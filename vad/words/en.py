@@ -18,7 +18,7 @@ PHRASES = {
     "given": "given",
     "colon": ": ",
     "legend": "grey: given",
-    "coriolis rule": "Coriolis: *v* turned 90° with *ω*",
+    "coriolis rule": "Coriolis: *v* turned 90° in the sense of *ω*",
     # a question of a question bank
     "quiz given": "{title}: {given}.",
     "quiz angle": "Find the angle of the {link} in degrees, counter-clockwise from *x*.",
@@ -152,8 +152,8 @@ PHRASES = {
         "{meeting} lies on it."
     ),
     "across acceleration": (
-        "⟂ {bar} through {point}: only the direction of {alpha}·{bar} is known, so {meeting} lies "
-        "on it."
+        "⟂ {bar} through {point}: its direction is known, its length is not, so {meeting} lies on "
+        "this line."
     ),
     "along velocity": (
         "∥ {line} through {point}: the {slide} {head} can move no other way, so {meeting} lies on "
@@ -168,8 +168,8 @@ PHRASES = {
         "{meeting} lies on it."
     ),
     "along acceleration": (
-        "∥ {line} through {point}: only the direction of the sliding part is known, so {meeting} "
-        "lies on it."
+        "∥ {line} through {point}: its direction is known, its length is not, so {meeting} lies on "
+        "this line."
     ),
     "crossing": "{letter} is where both lines cross.",
     "crossing zero": "{letter} is where both lines cross: {found}.",
@@ -210,8 +210,8 @@ PHRASES = {
         "same sense: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Through {point} at {corner} = {angle}° from {side}, in the sense of the link: {meeting} "
-        "lies on it."
+        "Through {point} at ∠{corner} = {angle}°, {sense} from {side}, as on the link: {meeting} "
+        "lies on this line."
     ),
     "image alike velocity": (
         "{letter} falls on {point}: the {link} does not turn at this instant, so all its points "
@@ -260,6 +260,10 @@ PHRASES = {
     "at scale": "{what} 1 : {share}",
     "counter-clockwise": "counter-clockwise",
     "clockwise": "clockwise",
+    "extending": "from {tail} towards {head} (extending)",
+    "retracting": "from {head} towards {tail} (retracting)",
+    "outwards": "from {tail} towards {head}",
+    "inwards": "from {head} towards {tail}",
     "right": "to the right",
     "left": "to the left",
     "up": "upwards",
@@ -284,7 +288,7 @@ PHRASES = {
     "spherical true A": "The crank stands at {angle}°.",
     "spherical angle A": "Its angle counts counter-clockwise, seen from outside.",
     "spherical true D": "The rocker stands at {symbol} = {angle}°.",
-    "spherical angle D": "It is {symbol}.",
+    "spherical angle D": "{symbol} counts counter-clockwise, seen from outside.",
     "spherical crank": "The crank *AB* = {size}° stands at {angle}°.",
     "spherical B": "*B* is at its end.",
     "spherical about B": "*C* lies on the circle about *B* with radius *BC* = {size}°.",
@@ -297,7 +301,8 @@ PHRASES = {
     "spherical great circle": "The great circle of the coupler is followed to the outline.",
     "spherical I": "There, at *I*, it meets the great circle of the frame.",
     "spherical OI": (
-        "The planes of coupler and frame meet in *OI*: about it the rocker turns against the crank."
+        "The planes of coupler and frame meet in *OI*: about it the rocker turns relative to the "
+        "crank."
     ),
     # polygons of bodies
     "bodies remark": "1 2 4 in the plane of the frame, 2 3 4 in that of the coupler, laid over",
@@ -491,7 +496,8 @@ PHRASES = {
         "{meeting} lies on it."
     ),
     "hooke line 43": (
-        "∥ *OQ* through {point}, square to the other line: {meeting} lies on the circle over 24."
+        "∥ *OQ* through {point}, square to the other line: {meeting} lies on the circle whose "
+        "diameter is 24."
     ),
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} turns with "
@@ -681,7 +687,7 @@ PHRASES = {
     "spatial true directions": "Seen along *DA*, they lie in the paper: *OA* and *OD* are true.",
     "spatial I": (
         "There the planes of frame and coupler meet in *OI*, *τ* = {tau}° from *OA*: about it the "
-        "rocker turns against the crank."
+        "rocker turns relative to the crank."
     ),
     "spatial c": "From there the axis at *C* has its direction.",
     "spatial slides B": (
@@ -697,7 +703,7 @@ PHRASES = {
         "The rocker *DC* = {size} {unit} with its shafts in *C* and *D*: *θ₄* = {theta}°."
     ),
     "spatial C": "*C* is the foot of *BC* on its axis.",
-    "spatial screw": "About *I* the rocker turns against the crank, and it slides along *I*.",
+    "spatial screw": "About *I* the rocker turns relative to the crank, and it slides along *I*.",
     "spatial H": "*I* crosses *AD* at *H*, square to it: *AH* = {height} {unit}.",
     # the lower polygons
     "spatial pole velocity": (
@@ -710,7 +716,7 @@ PHRASES = {
     ),
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* as a point of the "
-        "rocker turns against the crank about *I*."
+        "rocker turns relative to the crank about *I*."
     ),
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: it turns "
@@ -984,6 +990,7 @@ HAND = {
 #: Signs as they are read out; "^" is a power.
 SPOKEN = {
     "√": "square root of ",
+    "∠": "angle",
     "⟂": "perpendicular to",
     "∥": "parallel to",
     "′": " prime",

@@ -5,7 +5,7 @@ PHRASES = {
     # la page
     "results": "Résultats",
     "given": "donné",
-    "legend": "gris : donné",
+    "legend": "en gris : données",
     "colon": " : ",
     "coriolis rule": "Coriolis : *v* tournée de 90° dans le sens de *ω*",
     # une question d’une banque de questions
@@ -141,31 +141,32 @@ PHRASES = {
         "Coriolis : *v* tournée de 90° dans le sens de {omega}."
     ),
     "across velocity": (
-        "⟂ {bar} par {point} : par rapport à {tail}, {head} ne peut pas se déplacer autrement, "
-        "donc {meeting} y est."
+        "Par {point}, la perpendiculaire à {bar} : par rapport à {tail}, {head} ne peut pas se "
+        "déplacer autrement, donc {meeting} y est."
     ),
     "across velocity strut": (
-        "⟂ {bar} par {point} : hormis son glissement le long de {bar}, {head} ne peut se déplacer "
-        "qu’en travers, donc {meeting} y est."
+        "Par {point}, la perpendiculaire à {bar} : hormis son glissement le long de {bar}, {head} "
+        "ne peut se déplacer qu’en travers, donc {meeting} y est."
     ),
     "across acceleration": (
-        "⟂ {bar} par {point} : de {alpha}·{bar} on ne connaît que la direction, donc {meeting} y "
-        "est."
+        "Par {point}, la perpendiculaire à {bar} : sa direction est connue, sa longueur ne l’est "
+        "pas, donc {meeting} est sur cette droite."
     ),
     "along velocity": (
-        "∥ {line} par {point} : {slide:le} {head} ne peut pas se déplacer autrement, donc "
-        "{meeting} y est."
+        "Par {point}, la parallèle {line:au} : {slide:le} {head} ne peut pas se déplacer "
+        "autrement, donc {meeting} y est."
     ),
     "along velocity slot": (
-        "∥ {line} par {point} : dans {line:le}, {slide:le} {head} ne peut pas se déplacer "
-        "autrement, donc {meeting} y est."
+        "Par {point}, la parallèle {line:au} : dans {line:le}, {slide:le} {head} ne peut pas se "
+        "déplacer autrement, donc {meeting} y est."
     ),
     "along velocity link": (
-        "∥ {line} par {point} : sur {line:le}, {slide:le} {head} ne peut pas se déplacer "
-        "autrement, donc {meeting} y est."
+        "Par {point}, la parallèle {line:au} : sur {line:le}, {slide:le} {head} ne peut pas se "
+        "déplacer autrement, donc {meeting} y est."
     ),
     "along acceleration": (
-        "∥ {line} par {point} : on ne connaît que la direction du glissement, donc {meeting} y est."
+        "Par {point}, la parallèle {line:au} : sa direction est connue, sa longueur ne l’est pas, "
+        "donc {meeting} est sur cette droite."
     ),
     "crossing": "{letter} est à l’intersection des deux droites.",
     "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
@@ -209,7 +210,8 @@ PHRASES = {
         "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Par {point}, à {corner} = {angle}° de {side}, dans le sens de la pièce : {meeting} y est."
+        "Par {point}, à ∠{corner} = {angle}°, {sense} depuis {side}, comme sur la pièce : "
+        "{meeting} est sur cette droite."
     ),
     "image alike velocity": (
         "{letter} tombe sur {point} : {link:le} ne tourne pas à cet instant, tous ses points ont "
@@ -258,6 +260,10 @@ PHRASES = {
     "at scale": "{what} 1 : {share}",
     "counter-clockwise": "dans le sens trigonométrique",
     "clockwise": "dans le sens horaire",
+    "extending": "de {tail} vers {head} (le vérin sort)",
+    "retracting": "de {head} vers {tail} (le vérin rentre)",
+    "outwards": "de {tail} vers {head}",
+    "inwards": "de {head} vers {tail}",
     "right": "vers la droite",
     "left": "vers la gauche",
     "up": "vers le haut",
@@ -282,7 +288,7 @@ PHRASES = {
     "spherical true A": "La manivelle est à {angle}°.",
     "spherical angle A": "Son angle se compte dans le sens direct, vu de l’extérieur.",
     "spherical true D": "Le balancier est à {symbol} = {angle}°.",
-    "spherical angle D": "C’est {symbol}.",
+    "spherical angle D": "{symbol} est compté dans le sens trigonométrique, vu de l’extérieur.",
     "spherical crank": "La manivelle *AB* = {size}° est à {angle}°.",
     "spherical B": "*B* est à son extrémité.",
     "spherical about B": "*C* est sur le cercle de centre *B* et de rayon *BC* = {size}°.",
@@ -312,27 +318,28 @@ PHRASES = {
         "bielle aussi, {symbol} tourne avec *OI*."
     ),
     "bodies line 24 velocity": (
-        "∥ *OI* par {point} : seul *OI* est dans les plans du bâti et de la bielle, donc 4 tourne "
-        "autour de *OI* par rapport à 2, et {meeting} y est."
+        "Par {point}, la parallèle à *OI* : seul *OI* est dans les plans du bâti et de la bielle, "
+        "donc 4 tourne autour de *OI* par rapport à 2, et {meeting} y est."
     ),
     "bodies line 24 acceleration": (
-        "∥ *OI* par {point} : on ne sait pas encore de combien la rotation croît suivant *OI*, "
-        "donc {meeting} y est."
+        "Par {point}, la parallèle à *OI* : on ne sait pas encore de combien la rotation croît "
+        "suivant *OI*, donc {meeting} y est."
     ),
     "bodies line 14": (
-        "∥ *OD* par {point} : le balancier ne tourne qu’autour de *OD*, donc {meeting} y est."
+        "Par {point}, la parallèle à *OD* : le balancier ne tourne qu’autour de *OD*, donc "
+        "{meeting} y est."
     ),
     "bodies fold": (
         "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y sont en "
         "vraie direction."
     ),
     "bodies line 23": (
-        "∥ *OB* rabattu par {point}, à {arc}° de *OI* : la bielle tourne autour de *OB* par "
-        "rapport à la manivelle, donc {meeting} y est."
+        "Par {point}, la parallèle à *OB* rabattu, à {arc}° de *OI* : la bielle tourne autour de "
+        "*OB* par rapport à la manivelle, donc {meeting} y est."
     ),
     "bodies line 43": (
-        "∥ *OC* par {point}, à {arc}° de *OI* : la bielle tourne autour de *OC* par rapport au "
-        "balancier, donc {meeting} y est."
+        "Par {point}, la parallèle à *OC*, à {arc}° de *OI* : la bielle tourne autour de *OC* par "
+        "rapport au balancier, donc {meeting} y est."
     ),
     "bodies sines": (
         "{label} = {symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
@@ -489,25 +496,26 @@ PHRASES = {
     "hooke speeds": "vitesses sur un tour",
     "hooke shaft": "l’arbre {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* par {point} : par rapport à la fourche 2, la fourche 4 ne tourne qu’autour de "
-        "droites du plan du croisillon ; seule *OT* est aussi dans celui des arbres, donc "
-        "{meeting} y est."
-    ),
-    "hooke line 24 acceleration": (
-        "∥ *OT* par {point} : la croissance de la rotation suivant *OT* n’est pas encore connue, "
+        "Par {point}, la parallèle à *OT* : par rapport à la fourche 2, la fourche 4 ne tourne "
+        "qu’autour de droites du plan du croisillon ; seule *OT* est aussi dans celui des arbres, "
         "donc {meeting} y est."
     ),
+    "hooke line 24 acceleration": (
+        "Par {point}, la parallèle à *OT* : la croissance de la rotation suivant *OT* n’est pas "
+        "encore connue, donc {meeting} y est."
+    ),
     "hooke line 14": (
-        "∥ l’arbre 4 par {point} : la fourche 4 ne tourne qu’autour de lui, donc {meeting} y est."
+        "Par {point}, la parallèle à l’arbre 4 : la fourche 4 ne tourne qu’autour de lui, donc "
+        "{meeting} y est."
     ),
     "hooke fold": "Le plan du croisillon est rabattu sur celui des arbres autour de *OT*.",
     "hooke line 23": (
-        "∥ *OP* rabattu par {point} : autour de *OP*, le croisillon tourne par rapport à la "
-        "fourche 2, donc {meeting} y est."
+        "Par {point}, la parallèle à *OP* rabattu : autour de *OP*, le croisillon tourne par "
+        "rapport à la fourche 2, donc {meeting} y est."
     ),
     "hooke line 43": (
-        "∥ *OQ* par {point}, perpendiculairement à l’autre droite : {meeting} est sur le cercle "
-        "de diamètre 24."
+        "Par {point}, la parallèle à *OQ*, perpendiculairement à l’autre droite : {meeting} est "
+        "sur le cercle de diamètre 24."
     ),
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT* : {symbol} tourne avec "
@@ -752,18 +760,20 @@ PHRASES = {
         "*A* tourne autour de *D*."
     ),
     "spatial along I velocity": (
-        "∥ *OI* par {point} : on ne sait pas encore à quelle vitesse *A* glisse suivant *I*, donc "
-        "{meeting} y est."
+        "Par {point}, la parallèle à *OI* : on ne sait pas encore à quelle vitesse *A* glisse "
+        "suivant *I*, donc {meeting} y est."
     ),
     "spatial along I acceleration": (
-        "∥ *OI* par {point} : la part suivant *I* n’est pas encore connue, donc {meeting} y est."
-    ),
-    "spatial along D velocity": (
-        "∥ *OD* par {point} : on ne sait pas encore à quelle vitesse *A* glisse suivant *d*, donc "
+        "Par {point}, la parallèle à *OI* : la part suivant *I* n’est pas encore connue, donc "
         "{meeting} y est."
     ),
+    "spatial along D velocity": (
+        "Par {point}, la parallèle à *OD* : on ne sait pas encore à quelle vitesse *A* glisse "
+        "suivant *d*, donc {meeting} y est."
+    ),
     "spatial along D acceleration": (
-        "∥ *OD* par {point} : la part suivant *d* n’est pas encore connue, donc {meeting} y est."
+        "Par {point}, la parallèle à *OD* : la part suivant *d* n’est pas encore connue, donc "
+        "{meeting} y est."
     ),
     # --- le quadrilatère à rotules
     # position
@@ -819,20 +829,20 @@ PHRASES = {
         "divisé par *BC*, de *C* vers *B* en vraie grandeur."
     ),
     "balls line BC velocity": (
-        "⟂ *BC* par {point} : la bielle garde sa longueur, donc {meeting} est dans un plan "
-        "perpendiculaire à *BC*, qui est cette droite."
+        "Par {point}, la perpendiculaire à *BC* : la bielle garde sa longueur, donc {meeting} est "
+        "dans un plan perpendiculaire à *BC*, qui est cette droite."
     ),
     "balls line DC velocity": (
-        "∥ la trajectoire de *C* par {point} : *C* ne peut pas se déplacer autrement, donc "
-        "{meeting} y est, en vraie grandeur."
+        "Par {point}, la parallèle à la trajectoire de *C* : *C* ne peut pas se déplacer "
+        "autrement, donc {meeting} y est, en vraie grandeur."
     ),
     "balls line BC acceleration": (
-        "⟂ *BC* par {point} : suivant *BC* tout est porté, donc {meeting} est dans un plan "
-        "perpendiculaire à *BC*, qui est cette droite."
+        "Par {point}, la perpendiculaire à *BC* : suivant *BC* tout est porté, donc {meeting} est "
+        "dans un plan perpendiculaire à *BC*, qui est cette droite."
     ),
     "balls line DC acceleration": (
-        "∥ la trajectoire de *C* par {point} : de {symbol}·*DC* on ne connaît que la direction, "
-        "donc {meeting} y est."
+        "Par {point}, la parallèle à la trajectoire de *C* : de {symbol}·*DC* on ne connaît que la "
+        "direction, donc {meeting} y est."
     ),
     "balls coupler velocity": (
         "{label} = {value} {unit} ici et {off} {unit} hors du papier : en tout {whole} {unit}, "
@@ -1113,6 +1123,7 @@ HAND = {
 #: Les signes tels qu’on les lit à voix haute ; « ^ » est une puissance.
 SPOKEN = {
     "√": "racine de ",
+    "∠": "angle",
     "⟂": "perpendiculaire à",
     "∥": "parallèle à",
     "′": " prime",
