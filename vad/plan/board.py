@@ -44,7 +44,7 @@ from vad.plan.page.changing import (
     results,
 )
 from vad.plan.page.heads import Foot, compose, lines_of, title_marks
-from vad.plan.page.table import height_of_halves
+from vad.plan.page.table import heights
 from vad.plan.pictures import sketched
 from vad.plan.pictures.flights import turned_polygons
 from vad.plan.pictures.found import found_later
@@ -211,8 +211,8 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
         (p.name for p in sheet.panels if p.picture == "skeleton" and is_tall(corners(p))), ""
     )
     # A first layout tells the panels' width, the second knows how many lines they need.
-    block = height_of_halves(sheet.rows, names)
-    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall, block)
+    high = heights(sheet.rows, names)
+    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall, high)
     feet = {
         panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
     }
@@ -221,7 +221,7 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
         for panel in sheet.panels:
             room = first.panels[panel.name].drawing.width
             lines[panel.name] += sum(lines_of(half, room) for half in panel.halves)
-    return lay_out(form, lines, rows, caption_lines, tall, block), feet
+    return lay_out(form, lines, rows, caption_lines, tall, high), feet
 
 
 def rows_of(sheet: Sheet) -> dict[str, int]:

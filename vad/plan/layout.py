@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 from vad.errors import UsageError
 from vad.plan.format import Format
@@ -33,6 +34,9 @@ ROW_PITCH = 0.040
 EQUATION_PITCH = 0.043
 CAPTION_PITCH = 0.046
 SMALLEST_DRAWING = 0.05
+#: A table in a grid with less than this share of its height cannot be read.  Panels then stand side
+#: by side, if their drawings have sides of this length at least.
+TIGHT, LEAST_BESIDE = 0.7, 0.2
 FLOOR = 0.051  # the lowest baseline where there is no caption
 TOP_RULE = 0.115  # below the top
 TITLE_BASELINE = 0.075  # below the top
@@ -106,19 +110,34 @@ class Page:
         return self.width - MARGIN
 
 
+class Table(NamedTuple):
+    """How high the results are: the ``whole`` table, in full, and both ``halves`` of it.
+
+    With ``many`` rows they stand in halves beneath any panels.
+    """
+
+    whole: float
+    halves: float
+    many: bool
+
+
+NO_TABLE = Table(0.0, 0.0, False)
+
+
 def lay_out(
     form: Format,
     equations: dict[str, int],
     rows: int,
     caption_lines: int,
     tall: str = "",
-    block: float = 0.0,
+    table: Table = NO_TABLE,
 ) -> Page:
     """Return the page for the panels named in ``equations`` (their numbers of foot lines).
 
-    Beneath panels side by side the results take a line a row, or one ``block`` of that height.
+    Beneath panels side by side the results take a line a row, or many of them two halves.
 
-    Panels stand side by side if that leaves them wide enough, else in a grid.  One that is
+    Panels stand side by side if that leaves them wide enough, or if the cell of a grid is too low
+    for the results, else in a grid.  One that is
     ``tall`` needs little width, and so stands beside the others on a narrower page, too.  Four
     panels stand side by side where that makes their shortest side longer than a grid does.
 
@@ -128,7 +147,8 @@ def lay_out(
         If they have no room.
     """
 
-    def row(widths: list[float], lines: dict[str, int]) -> Page:
+    def row(widths: list[float], lines: dict[str, int], tight: bool = False) -> Page:
+        block = table.halves if table.many or tight else 0.0
         return _side_by_side(form, lines, widths, rows, caption_lines, block)
 
     widths = _columns(form, list(equations), tall)
@@ -140,6 +160,9 @@ def lay_out(
             narrow if _least(row(narrow, one)) > _least(_grid(form, one, caption_lines)) else []
         )
     page = row(widths, equations) if widths else _grid(form, equations, caption_lines)
+    if not page.columns and page.results and page.results.height < TIGHT * table.whole:
+        beside = row(_equal(form, len(equations)), equations, tight=True)
+        page = beside if _least(beside) >= LEAST_BESIDE else page
     if _least(page) < SMALLEST_DRAWING:
         raise UsageError(
             f"the page has no room for {len(equations)} panels with {rows} rows of results and "
@@ -149,11 +172,16 @@ def lay_out(
     return page
 
 
+def _equal(form: Format, count: int) -> list[float]:
+    """Return the widths of so many columns side by side that are equal."""
+    return [(form.width - 2 * MARGIN - (count - 1) * GUTTER) / count] * count
+
+
 def _columns(form: Format, names: list[str], tall: str) -> list[float]:
     """Return the widths of columns side by side, none where they would be too narrow."""
     count, gaps = len(names), 2 * MARGIN + (len(names) - 1) * GUTTER
     if (form.width - gaps * form.whole) / count >= NARROWEST_COLUMN * form.whole:
-        return [(form.width - gaps) / count] * count
+        return _equal(form, count)
     landscape = form.height <= 1.0 and tall in names and count > 1
     rest = (form.width - gaps - SLENDER_COLUMN) / (count - 1) if landscape else 0.0
     if rest < BESIDE_SLENDER:

@@ -11,6 +11,7 @@ from typing import Protocol
 
 from vad.plan.geometry import Rect
 from vad.plan.layout import Page
+from vad.plan.layout import Table as TableHeights
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
 from vad.plan.marks import Lettering, Mark, line
@@ -295,10 +296,11 @@ def first_half(rows: Sequence[Row], names: list[str]) -> int:
     return min(range((len(rows) + 1) // 2, len(rows)), key=height)
 
 
-def height_of_halves(rows: Sequence[Row], names: list[str]) -> float:
-    """Return how high the halves of many rows are; 0 where they are few."""
-    if len(rows) <= MOST:
-        return 0.0
+def heights(rows: Sequence[Row], names: list[str]) -> TableHeights:
+    """Return how high the results are, in one table and in halves."""
+    if len(rows) < 2:
+        return TableHeights(need(rows, names), 0.0, False)
     count = first_half(rows, names)
     parts = rows[:count], rows[count:]
-    return SQUEEZE * max(need(part, names, titled=False) for part in parts)
+    halves = SQUEEZE * max(need(part, names, titled=False) for part in parts)
+    return TableHeights(need(rows, names), halves, len(rows) > MOST)
