@@ -125,4 +125,6 @@ def corners(panel: Panel) -> list[complex]:
             points += stroke.shape.outermost
         elif isinstance(stroke.shape, Bearing):
             points.append(stroke.shape.at)
+        elif isinstance(stroke.shape, Arc) and is_figure(stroke):  # a whole circle
+            points += [stroke.shape.centre + stroke.shape.radius * way for way in (1, 1j, -1, -1j)]
     return points

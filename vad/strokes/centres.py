@@ -32,8 +32,9 @@ if TYPE_CHECKING:
     from vad.strokes.scene import Scene
 
 #: A centre is shown that is no farther from the mechanism than this share of its size; the arrow to
-#: one that is ends at the other share.
+#: one that is ends at the other share.  With more than four bodies centres are many, and nearer.
 BEYOND, EDGE = 0.9, 0.45
+BEYOND_OF_MANY, EDGE_OF_MANY = 0.35, 0.25
 #: The centre of centrodes is shown within this share of the mechanism's size, in all its poses; its
 #: curves go on as far as the page has room.
 ROLLING, ROLLED = 0.4, 3.0
@@ -192,7 +193,13 @@ class _Drawn:
 
     def near(self, z: complex | None) -> bool:
         """Tell whether a place is shown."""
-        return z is not None and self._holds(z, ROLLING if self.rolls else BEYOND)
+        return z is not None and self._holds(z, ROLLING if self.rolls else self.reach[0])
+
+    @cached_property
+    def reach(self) -> tuple[float, float]:
+        """How far a centre may be that is shown, and the end of the arrow to one that is not."""
+        many = len(self.kennedy.names) > 4
+        return (BEYOND_OF_MANY, EDGE_OF_MANY) if many else (BEYOND, EDGE)
 
     def _holds(self, z: complex, beyond: float) -> bool:
         low, high = self.box(beyond)
@@ -200,7 +207,8 @@ class _Drawn:
 
     def edge(self, start: complex, way: complex) -> complex:
         """Return where a ray from a place that is shown ends with an arrow."""
-        low, high = self.box(EDGE if self._holds(start, EDGE) else BEYOND + EDGE)
+        shown, ended = self.reach
+        low, high = self.box(ended if self._holds(start, ended) else shown + ended)
         if self.rolls:
             low, high = self.box(ROLLING)
         steps = []
