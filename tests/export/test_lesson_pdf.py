@@ -33,7 +33,8 @@ def saved(thing: object, path: Path, **options: object) -> bytes:
 class TestLesson:
     def test_a_page_a_step_with_its_caption(self, lesson: Lesson, tmp_path: Path) -> None:
         data = saved(lesson, tmp_path / "lesson.pdf")
-        assert page_count(data) == len(lesson.steps)
+        assert page_count(data) == len(lesson.steps) + 1
+        assert "Acceleration" in pdf_text(data, len(lesson.steps))  # the whole sheet
         assert media_box(data) == (0, 0, 1280, 720)
         for place in (0, 8, len(lesson.steps) - 1):
             step = lesson.steps[place]
@@ -63,7 +64,7 @@ class TestLesson:
         assert page_count(data) == 0
 
 
-def test_a_still_is_the_board_of_the_film_with_the_mechanism_in_its_panel(lesson: Lesson) -> None:
+def test_a_still_is_the_board_of_the_film_in_its_scene(lesson: Lesson) -> None:
     """At the end of its step; a construction is shown while its tool is at work."""
     # Between strokes that are told together the film need not rest.
     rests = {0, *(done(n) for n, step in enumerate(lesson.steps, 1) if step.hold)}
@@ -73,7 +74,7 @@ def test_a_still_is_the_board_of_the_film_with_the_mechanism_in_its_panel(lesson
     assert rests <= {state.beat for state, _ in moments(lesson)}
     for number, step in enumerate(lesson.steps, 1):
         shown = vad.still(lesson, number).moment
-        assert shown.near == 0.0
+        assert shown.scene == step.scene
         if step.stroke.kind == "construction":
             assert (shown.beat, shown.share) == (drawing(number - 1), 0.7)
         else:

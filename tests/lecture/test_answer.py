@@ -8,7 +8,9 @@ import pytest
 
 import vad
 from vad.lecture.answer import answer
+from vad.lecture.moment import Moment
 from vad.painting.posed import board_of
+from vad.plan.board import seen
 
 SHAFT = {
     "A": {"mass": 200, "radius": 80, "angle": 0, "plane": 0},
@@ -81,7 +83,8 @@ def test_where_an_engine_is_balanced_that_is_said_alone():
 def test_the_answer_has_room_below_the_drawing():
     twin = [{"mass": 11.5, "line": 45}, {"mass": 11.5, "line": -45}]
     sheet = vad.draw(vad.engine(twin, radius=75, ratio=4, rpm=500), language="fr")
-    plan = board_of(vad.animate(sheet))
-    last = [item for item in plan.items if item.region == "caption" and not item.stroke][-1]
+    stage = board_of(vad.animate(sheet))
+    items = seen(stage, Moment(stage.finished, scene=stage.count - 1))
+    (last,) = (item for item in items if item.region == "caption")
     shown = "".join(run.text for mark in last.marks for run in mark.shape.runs if run.shown)
     assert shown.replace(" ", "") == str(answer(sheet)).replace(" ", "")

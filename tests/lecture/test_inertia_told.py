@@ -8,7 +8,7 @@ import pytest
 import vad
 from vad.export.sheet_json import sheet_from_json
 from vad.lecture.moment import done
-from vad.lecture.pace import opens
+from vad.lecture.scenes import scenes
 from vad.painting.posed import SIZE
 from vad.plan.board import plan
 from vad.plan.format import screen
@@ -51,12 +51,14 @@ def test_without_the_accelerations_panel_after_panel_is_told():
     assert {each.chapter for each in telling(sheet)} == {"position", "force", "drive"}
 
 
-def test_the_mechanism_glides_once_and_before_the_accelerations():
+def test_the_mechanism_is_large_again_while_inertia_forces_are_drawn():
     lesson = vad.animate(drawn())
-    glides = [number for number, step in enumerate(lesson.steps) if step.glide]
-    assert len(glides) == 1
-    assert lesson.steps[glides[0] + 1].panel.name == "acceleration"
-    assert opens(lesson.sheet, lesson.steps[glides[0]].panel)
+    large = scenes(lesson.sheet)
+    after = large.index("acceleration") + 1
+    assert large[0] == large[after] == "position"
+    assert len(large) == sum(step.glide > 0 for step in lesson.steps) + 1
+    for step in lesson.steps:
+        assert large[step.scene] == step.panel.column
 
 
 def test_inertia_forces_count_in_the_chapter_of_the_accelerations():

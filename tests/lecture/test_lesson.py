@@ -22,7 +22,7 @@ def test_every_caption_stands_long_enough_to_be_read():
     lesson = animate(slider_crank())
     for step in lesson.steps:
         words = len(step.stroke.caption.split())
-        assert (step.grow + step.hold) / lesson.fps > words / 5
+        assert step.frames / lesson.fps > words / 5
     assert lesson.frames == round(lesson.duration * 30)
 
 
@@ -46,8 +46,8 @@ def test_every_frame_has_one_state_and_strokes_only_grow():
     lesson = animate(slider_crank(), fps=10)
     states = [moment(lesson, number) for number in range(lesson.frames)]
     assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
-    assert states[0] == Moment(done(0), near=1.0)
-    assert states[-1] == Moment(finished(len(lesson.steps)))
+    assert states[0] == Moment(done(0))
+    assert states[-1] == Moment(finished(len(lesson.steps)), scene=3)
     for before, after in pairwise(states):
         assert after.beat - before.beat in (0, 1, 2)
         assert after.share == 1.0 or after.beat % 2 == 1
@@ -59,16 +59,16 @@ def test_every_frame_has_one_state_and_strokes_only_grow():
         moment(lesson, -1)
 
 
-def test_the_first_panel_stands_large_until_it_is_done_and_glides_into_its_place():
+def test_panels_move_after_the_last_stroke_of_each_scene_and_never_back():
     lesson = animate(slider_crank(), fps=10)
-    first = len(lesson.sheet.panels[0].strokes)
-    gliding = [state for state, _ in moments(lesson) if 0.0 < state.near < 1.0]
-    assert {state.beat for state in gliding} == {done(first)}
-    assert len(gliding) == sum(step.glide for step in lesson.steps) == 8
+    counts = [len(panel.strokes) for panel in lesson.sheet.panels]
+    ends = [done(sum(counts[:1])), done(sum(counts[:2])), finished(sum(counts))]
+    moving = [state for state, _ in moments(lesson) if state.scene % 1.0]
+    assert [int(state.scene) for state in moving] == [0] * 10 + [1] * 10 + [2] * 10
+    assert all(state.beat == ends[int(state.scene)] for state in moving)
     for before, after in pairwise(state for state, _ in moments(lesson)):
-        assert after.near <= before.near
-        if after.beat != done(first):
-            assert after.near == (1.0 if after.beat < done(first) else 0.0)
+        assert 0.0 <= after.scene - before.scene <= 0.2
+        assert after.scene == before.scene or after.beat == before.beat
 
 
 @pytest.mark.parametrize("most", [30.0, 15.0, 12.0, 9.0, 0.1])

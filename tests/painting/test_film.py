@@ -42,7 +42,7 @@ def test_what_is_on_the_board_before_drawing_is_in_the_first_frame(panels: str):
     lesson = animate(sheet, fps=3, size=SIZE)
     assert_equal_to_redraws(lesson)
     first = next(iter(filmed(lesson))).pixels
-    middle = first[SIZE[1] // 4 : SIZE[1] // 2]
+    middle = first[SIZE[1] // 4 : 3 * SIZE[1] // 4, : SIZE[0] // 2]
     assert (middle != first[0, 0]).any(axis=2).mean() > 0.005
 
 

@@ -78,7 +78,8 @@ def test_a_screen_reader_meets_a_figure_in_words() -> None:
 def test_a_page_of_a_lesson_says_its_step() -> None:
     lesson, target = vad.animate(sheet_of("slider-crank")), io.BytesIO()
     lesson_pdf.write(lesson, target)
-    assert figures(target.getvalue()) == [step.stroke.caption for step in lesson.steps]
+    captions = [step.stroke.caption for step in lesson.steps]
+    assert figures(target.getvalue()) == [*captions, str(lesson.answer)]
 
 
 @pytest.mark.parametrize("code", ["en", "de"])
@@ -108,7 +109,7 @@ def test_every_page_of_a_lesson_is_that_of_the_film_with_its_caption() -> None:
     target = io.BytesIO()
     lesson_pdf.write(lesson, target)
     data = target.getvalue()
-    assert len(data) < 134_000
+    assert len(data) < 156_000
     board, agg = board_of(lesson), AggPainter(board_of(lesson).form)
     for number, step in enumerate(lesson.steps):
         assert plain(step.stroke.caption).rstrip(".") in plain(pdf_text(data, number))

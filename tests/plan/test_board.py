@@ -11,11 +11,10 @@ import pytest
 
 import vad
 from tests.kinds import PLANE
-from tests.plan.snapshots import KEY, SCENES, lesson, written
+from tests.plan.snapshots import KEY, SCENES, lesson, lesson_plan, written
 from vad.lecture.answer import answer
 from vad.lecture.moment import done, drawing
 from vad.lecture.telling import beats, told, told_together
-from vad.painting.posed import board_of
 from vad.plan.board import Plan, plan
 from vad.plan.format import screen
 from vad.plan.items import FOREVER, Item, Level
@@ -46,7 +45,7 @@ BOARDS: dict[str, Plan] = {}
 
 def board(scene: str) -> Plan:
     if scene not in BOARDS:
-        BOARDS[scene] = board_of(lesson(scene))
+        BOARDS[scene] = lesson_plan(lesson(scene))
     return BOARDS[scene]
 
 
@@ -375,7 +374,7 @@ def test_a_picture_is_the_same_at_every_size(scene: str, shape: tuple[int, int])
 @EVERY
 def test_new_results_are_bold_in_a_grid_too(scene: str):
     sheet = lesson(scene).sheet
-    shown = board_of(vad.animate(sheet, size=(800, 640)))
+    shown = lesson_plan(vad.animate(sheet, size=(800, 640)))
     assert not shown.page.columns
     for panel in sheet.halves:
         for stroke in panel.strokes:
@@ -393,7 +392,7 @@ def test_new_results_are_bold_in_a_grid_too(scene: str):
 @pytest.mark.parametrize("size", [(1280, 720), (800, 640)])
 def test_the_page_speaks_one_language(code: str, size: tuple[int, int]):
     sheet = vad.draw(vad.solve(vad.CrankSlottedLever(rod=100, ram_height=180)), language=code)
-    shown = board_of(vad.animate(sheet, size=size))
+    shown = lesson_plan(vad.animate(sheet, size=size))
     written = {text(item) for item in shown.items} | {
         "".join(run.text for run in mark.shape.runs)
         for item in shown.items
@@ -414,7 +413,7 @@ def test_the_key_of_a_row_shows_all_of_its_dash(style: str):
     """A dash that does not show in the key is no key."""
     look = load_style(style).look
     for film in (lesson("shaper"), lesson("gate-actuator")):
-        shown = board_of(vad.animate(film.sheet, style=style))
+        shown = lesson_plan(vad.animate(film.sheet, style=style))
         keys = [mark for item in shown.items for mark in item.marks if mark.role == "key"]
         assert len(keys) == len(film.sheet.rows)
         for mark in keys:

@@ -9,8 +9,7 @@ from itertools import pairwise
 
 import pytest
 
-from tests.plan.snapshots import SCENES, lesson
-from vad.painting.posed import board_of
+from tests.plan.snapshots import SCENES, lesson, lesson_plan
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
 from vad.plan.items import Item
@@ -41,7 +40,7 @@ DRAWN = ("construction", "compass arc", "path")
 
 @cache
 def board(scene: str) -> Plan:
-    return board_of(lesson(scene))
+    return lesson_plan(lesson(scene))
 
 
 def growing(scene: str, kind: type[Growth]) -> list[Mark]:

@@ -22,6 +22,7 @@ from vad.plan.pictures.curves import curve_of
 from vad.plan.pictures.views import Views
 from vad.plan.scale import Scale, views_scale
 from vad.plan.sketch import Setting, Sketch
+from vad.plan.stage import Stage
 from vad.strokes.sheet import Arrow, Ellipse
 
 POSES = [sheet_of_views(degrees) for degrees in range(5, 365, 30)]
@@ -207,7 +208,9 @@ def test_under_the_hand_the_views_keep_their_scale_and_letters_stand_once_a_view
     assert len(scales) == 1
 
 
-def test_a_lesson_of_views_opens_large():
-    plan = planned(sheet_of_views(), lesson=True)
-    assert plan.opening.factor > 1.0
-    assert caption_lines(plan.sheet, 1.6) >= 1
+def test_in_a_lesson_views_are_large_while_they_are_drawn():
+    sheet = sheet_of_views()
+    stage = Stage(sheet, screen((1280, 720)), 0.058)
+    usual = planned(sheet, lesson=True).sketches["position"].scale.factor
+    assert stage.scene(0).sketches["position"].scale.factor > 1.3 * usual
+    assert caption_lines(sheet, 1.6) >= 1

@@ -1,4 +1,4 @@
-"""A lesson as PDF: one page for each step."""
+"""A lesson as PDF: one page for each step, and at the end the whole sheet."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from typing import BinaryIO
 
 from vad.export.frames import Progress
 from vad.lecture.lesson import Lesson, still
+from vad.lecture.moment import moments
 from vad.painting.painter import play
 from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import board_of
@@ -14,7 +15,10 @@ from vad.style import load_style
 
 
 def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None) -> None:
-    """Write ``lesson``, a page for each stroke drawn; a pixel of its film becomes a point."""
+    """Write ``lesson``, a page for each stroke drawn; a pixel of its film becomes a point.
+
+    After the scenes of a stage the last page shows the sheet as its still does.
+    """
     board, style = board_of(lesson), load_style(lesson.style)
     painter = PdfPainter(title(lesson.sheet), lesson.sheet.language)
     frames = lesson.opening
@@ -24,6 +28,11 @@ def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None)
         frames += step.frames
         if progress is not None:
             progress(frames, lesson.frames)
-    painter.write(target, [step.stroke.caption for step in lesson.steps if not step.there])
+    captions = [step.stroke.caption for step in lesson.steps if not step.there]
+    if lesson.steps and lesson.settle:
+        *_, (last, _) = moments(lesson)
+        play(board, last, style, painter)
+        captions.append(str(lesson.answer or lesson.sheet.title))
+    painter.write(target, captions)
     if progress is not None:
         progress(lesson.frames, lesson.frames)

@@ -19,7 +19,8 @@ from vad.displayed import Displayed
 from vad.errors import InputError, UsageError, quoted
 from vad.lecture.answer import answer
 from vad.lecture.moment import Moment, done, drawing
-from vad.lecture.pace import AFTER_ANSWER, CLOSING, OPENING, scripted, times
+from vad.lecture.pace import AFTER_ANSWER, CLOSING, GLIDE, OPENING, SHEET, scripted, times
+from vad.lecture.scenes import is_staged, scene_numbers
 from vad.lecture.script import Script, script_of, step_number
 from vad.lecture.telling import reading
 from vad.strokes.reveals import finder, revealed
@@ -32,10 +33,11 @@ from vad.strokes.telling import telling
 class LessonStep:
     """One stroke in time: it grows for ``grow`` frames and then rests for ``hold``.
 
-    After the last stroke of a panel that stood large, this glides into its place for ``glide``, and
-    the page that comes with it rests for ``settle``.  After ``beats`` frames the second beat of its
-    caption is said, then the third.  A stroke that is ``there`` is not drawn: it
-    is on the board when its panel begins.  The ``chapter`` is the panel with which it is told.
+    It belongs to a ``scene`` (`vad.lecture.scenes`).  After the last stroke of a scene the panels
+    glide to their places in the next one for ``glide``, and rest there for ``settle``.  After
+    ``beats`` frames the second beat of its caption is said, then the third.  A stroke that is
+    ``there`` is not drawn: it is on the board when its panel begins.  The ``chapter`` is the panel
+    with which it is told.
     """
 
     panel: Panel
@@ -47,6 +49,7 @@ class LessonStep:
     beats: tuple[int, ...] = field(default=(), kw_only=True)
     there: bool = field(default=False, kw_only=True)
     chapter: str = field(default="", kw_only=True)
+    scene: int = field(default=0, kw_only=True)
 
     @property
     def frames(self) -> int:
@@ -64,7 +67,8 @@ class Lesson(Displayed):
     """A sheet that is drawn stroke by stroke.
 
     ``opening`` frames show the empty page, ``closing`` frames the finished one with the ``answer``
-    in words, if it has one.
+    in words, if it has one.  The last of them, where there are scenes, bring the panels to their
+    places in the sheet for ``glide``, and show it for ``settle``.
     """
 
     sheet: Sheet
@@ -75,6 +79,8 @@ class Lesson(Displayed):
     size: tuple[int, int]
     style: str = "paper"
     answer: Sentence | None = None
+    glide: int = 0
+    settle: int = 0
 
     def __repr__(self) -> str:
         """Return a line: what is drawn, in how many steps, and how long that takes."""
@@ -168,20 +174,26 @@ def animate(
         found, opening = scripted(found, script, sheet, opening)
     steps: list[LessonStep] = []
     clock = 0.0
-    for (panel, index, chapter), each in zip(telling(sheet), found, strict=True):
+    told = zip(telling(sheet), found, scene_numbers(sheet), strict=True)
+    for (panel, index, chapter), each, scene in told:
         # Whole frames are counted from the start, so that roundings do not add up.
         parts = each.grow, each.hold, each.glide, each.settle
-        seconds = list(accumulate(parts, initial=clock))
-        ends = [round(second * fps) for second in seconds]
+        clocks = list(accumulate(parts, initial=clock))
+        ends = [round(each * fps) for each in clocks]
         lasts = (end - start for start, end in pairwise(ends))
         beats = tuple(round((clock + beat) * fps) - ends[0] for beat in each.beats)
-        more: dict[str, Any] = {"beats": beats, "there": each.there, "chapter": chapter}
+        more: dict[str, Any] = {"beats": beats, "there": each.there}
+        more |= {"chapter": chapter, "scene": scene}
         steps.append(LessonStep(panel, index, *lasts, **more))
-        clock = seconds[-1]
+        clock = clocks[-1]
     said = answer(sheet)
-    closing = max(CLOSING, reading(said.pieces) + AFTER_ANSWER if said else 0.0) / speed
-    first, last = (max(1, round(each * fps)) for each in (opening, closing))
-    return Lesson(sheet, tuple(steps), first, last, fps, size, style, answer=said)
+    said_for = reading(said.pieces) + AFTER_ANSWER if said else 0.0
+    moved = (GLIDE, SHEET) if is_staged(sheet) else (0.0, 0.0)
+    seconds = opening, max(CLOSING, said_for + sum(moved)) / speed, *(m / speed for m in moved)
+    first, last, glide, settle = (round(each * fps) for each in seconds)
+    settle = max(settle, 1) if is_staged(sheet) else 0
+    first, last = max(1, first), max(1, last, glide + settle)
+    return Lesson(sheet, tuple(steps), first, last, fps, size, style, said, glide, settle)
 
 
 def _loop(sheet: Sheet, loop: object) -> int:
@@ -270,9 +282,10 @@ class Still(Displayed):
     @property
     def moment(self) -> Moment:
         """The state of the board."""
-        if self.lesson.steps[self.step - 1].stroke.kind == "construction":
-            return Moment(drawing(self.step - 1), AT_WORK)
-        return Moment(done(self.step))
+        step = self.lesson.steps[self.step - 1]
+        if step.stroke.kind == "construction":
+            return Moment(drawing(self.step - 1), AT_WORK, step.scene)
+        return Moment(done(self.step), scene=step.scene)
 
     @property
     def drawn(self) -> Sheet:

@@ -43,15 +43,17 @@ class Moment:
         Which strokes are there.
     share
         How much of the beat's stroke is drawn: 1 at rest.
-    near
-        How large the first panel is: 1 while it is alone on the page, 0 in its own place.
+    scene
+        Which panel is large on a stage (`vad.lecture.scenes`): the number of its scene, from 0.
+        Between two scenes, while the panels move, it is between their numbers.  After the last
+        scene comes the whole sheet.
     said
         How many beats of its caption have been said; `WHOLE` where it stands as a whole.
     """
 
     beat: int
     share: float = 1.0
-    near: float = 0.0
+    scene: float = 0.0
     said: int = WHOLE
 
 
@@ -76,22 +78,28 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
     A movement has at most ``most`` states per second.
     """
     pace = max(1.0, lesson.fps / most)
-    near = 1.0 if any(step.glide for step in lesson.steps) else 0.0
-    yield Moment(done(lesson.begun), near=near), lesson.opening
+    yield Moment(done(lesson.begun)), lesson.opening
     for number, step in enumerate(lesson.steps):
         grown = (
-            (Moment(drawing(number), smooth(share), near), repeats)
+            (Moment(drawing(number), smooth(share), step.scene), repeats)
             for share, repeats in _shares_of_movement(step.grow, pace)
         )
-        rests = [(Moment(done(number + 1), near=near), step.hold)] if step.hold else []
+        over = Moment(done(number + 1), scene=step.scene)
+        rests = [(over, step.hold)] if step.hold else []
         yield from _said(chain(grown, rests), step.beats)
-        for share, repeats in _shares_of_movement(step.glide, pace):
-            near = 1.0 - smooth(share)
-            yield Moment(done(number + 1), near=near), repeats
-        near = 0.0 if step.glide else near
-        if step.settle:
-            yield Moment(done(number + 1), near=near), step.settle
-    yield Moment(finished(len(lesson.steps))), lesson.closing
+        yield from _moved(over, step.glide, step.settle, pace)
+    last = Moment(finished(len(lesson.steps)), scene=lesson.steps[-1].scene if lesson.steps else 0)
+    if stands := lesson.closing - lesson.glide - lesson.settle:
+        yield last, stands
+    yield from _moved(last, lesson.glide, lesson.settle, pace)
+
+
+def _moved(state: Moment, glide: int, settle: int, pace: float) -> Iterator[tuple[Moment, int]]:
+    """Yield how the panels move to the next scene for ``glide`` frames, and how they rest there."""
+    for share, repeats in _shares_of_movement(glide, pace):
+        yield replace(state, scene=state.scene + smooth(share)), repeats
+    if settle:
+        yield replace(state, scene=state.scene + 1), settle
 
 
 def _said(

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from vad.errors import UsageError
+from vad.lecture.scenes import scene_numbers
 from vad.lecture.script import Script, step_number
 from vad.lecture.telling import reading, starts, told, told_together
 from vad.strokes.sentences import pieces_of
@@ -31,17 +32,20 @@ FOLD = 1.0  # a plane that is rotated into the paper
 FLIGHT = 2.4  # while a figure upon the mechanism turns onto its polygon
 SHORT = 0.75  # share of that time for a vector of length zero
 LEAST_REST = 0.5  # after a caption, and before the next one
-GLIDE = 0.8
-SETTLE = 0.6
-OPENING = 0.8
+GLIDE = 1.0  # the panels of a stage, as they move to their places in the next scene
+SETTLE = 0.2
+#: The least rest before a move, in which a caption is read on, and after the last beat of it.
+BEFORE_MOVE, AFTER_BEAT = 0.3, 0.8
+SHEET = 1.0  # the whole sheet, at the end
+OPENING = 0.5
 CLOSING = 4.0
-AFTER_ANSWER = 0.5
+AFTER_ANSWER = 0.2
 LOOK = 1.5  # seconds, at least, to look at what is on the board already
 
 
 @dataclass(frozen=True, slots=True)
 class Times:
-    """The seconds of one stroke: it grows, rests, glides into its place, and settles there.
+    """The seconds of one stroke: it grows and rests; panels glide to the next scene, and settle.
 
     ``beats`` are the seconds after which the second beat of its caption begins, and the third.
     """
@@ -76,11 +80,6 @@ class Times:
         )
 
 
-def opens(sheet: Sheet, panel: Panel) -> bool:
-    """Tell whether a panel stands large while it is drawn: a mechanism before its polygons."""
-    return panel is sheet.panels[0] and panel.picture != "vectors" and len(sheet.panels) > 1
-
-
 def growth(stroke: Stroke, longest: float) -> float:
     """Return how many seconds a stroke takes to draw; the ``longest`` vector takes most."""
     seconds = FOLD if isinstance(stroke.shape, Fold) else GROWTH[stroke.kind]
@@ -110,11 +109,17 @@ def times(sheet: Sheet, loop: int) -> Iterator[Times]:
     """
     flown = {turned.panel for half in sheet.halves for turned in half.turned}
     found = {half.name: list(_times_of(half, loop, half.name in flown)) for half in sheet.halves}
-    large = [opens(sheet, each.half) for each in telling(sheet)]
-    leaves = large.index(False) - 1 if False in large else -1
-    for number, each in enumerate(telling(sheet)):
+    scenes = scene_numbers(sheet)
+    for each, scene, after in zip(telling(sheet), scenes, [*scenes[1:], *scenes[-1:]], strict=True):
         own = found[each.half.name][each.number]
-        yield replace(own, glide=GLIDE, settle=SETTLE) if number == leaves else own
+        yield _moving(own) if scene != after else own
+
+
+def _moving(own: Times) -> Times:
+    """Return the times of the last stroke of a scene, whose caption stands during the move, too."""
+    last = max(own.beats, default=0.0) + AFTER_BEAT * bool(own.beats)
+    rest = max(own.hold - GLIDE - SETTLE, BEFORE_MOVE, last - own.grow)
+    return replace(own, hold=min(rest, own.hold), glide=GLIDE, settle=SETTLE)
 
 
 def _times_of(panel: Panel, loop: int, flown: bool) -> Iterator[Times]:

@@ -21,7 +21,7 @@ from vad.painting.painter import Looks, play
 from vad.painting.posed import board_of
 from vad.plan.board import Board, seen
 from vad.plan.geometry import Rect
-from vad.plan.items import FLIGHT, OPENING, Item
+from vad.plan.items import FLIGHT, Item
 from vad.plan.marks import Mark
 from vad.style import Style, load_style
 
@@ -140,7 +140,7 @@ class _Incremental:
         #: with the box of their pixels.
         self._top: list[tuple[Mark, Box | None]] = []
         self._beat: int | None = None
-        #: Beat, place of the first panel, and words of the caption, as they were painted last.
+        #: Beat, scene, and words of the caption, as they were painted last.
         self._state: tuple[int, float, int] | None = None
         self._dirty: Box = EMPTY
         #: For each region the items that it began with when it last changed, and their pixels.
@@ -152,7 +152,7 @@ class _Incremental:
         first, box = self._beat is None, EMPTY
         regions: dict[str, list[Item]] = {}
         top = self._top
-        state = moment.beat, moment.near, moment.said
+        state = moment.beat, moment.scene, moment.said
         turned = state != self._state
         if turned:
             regions = self._changed(moment)
@@ -184,10 +184,9 @@ class _Incremental:
             or any(_growing(item, beat) or _growing(item, self._beat) for item in items)
         }
         self._shown = shown
-        if changed.get(OPENING):
-            # It lies over the places of all panels, which are empty while it is there.
-            changed[OPENING] = changed.pop(OPENING)
-        return changed
+        # What a scene leaves is empty before anything of the next one is painted there.
+        empty = [region for region in changed if not shown[region]]
+        return {region: shown[region] for region in (*empty, *changed) if region in changed}
 
     def _split(self, regions: dict[str, list[Item]], beat: int) -> list[tuple[Mark, Box | None]]:
         """Return what grows and what lies above it, in painting order."""
@@ -215,6 +214,10 @@ class _Incremental:
     def _repaint(self, region: str, items: list[Item]) -> None:
         """Paint a region; the items with which it began the last time, too, come from pixels."""
         area = self._cut(self._pixels_of(self._board.regions[region]))
+        if not items:
+            area[:] = self._ground
+            self._beneath.pop(region, None)
+            return
         before, picture = self._beneath.get(region, ([], None))
         kept = _shared(before, items)
         if picture is not None and kept == len(before):

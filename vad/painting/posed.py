@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from vad.errors import UsageError
 from vad.lecture.lesson import Lesson, Still, check_size, drawn_so_far
 from vad.lecture.moment import Moment
+from vad.lecture.scenes import is_staged
 from vad.lecture.turn import Turn
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Painter, play
@@ -19,6 +20,7 @@ from vad.plan.format import paper as paper_format
 from vad.plan.format import screen
 from vad.plan.multiples_board import MultiplesBoard
 from vad.plan.problem_sheet import blank_panels, problem
+from vad.plan.stage import Stage
 from vad.strokes.description import describe, title
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
@@ -96,9 +98,11 @@ def posed(
     return Posed(board, Moment(board.finished), look, drawn_so_far(thing, strokes))
 
 
-def board_of(lesson: Lesson) -> Plan:
-    """Return the board on which a lesson is drawn."""
+def board_of(lesson: Lesson) -> Stage | Plan:
+    """Return the board on which a lesson is drawn: a stage, if it has several panels."""
     key = load_style(lesson.style).key
+    if is_staged(lesson.sheet):
+        return Stage(lesson.sheet, screen(lesson.size), key)
     return plan(lesson.sheet, screen(lesson.size), key, lesson=True)
 
 

@@ -1,15 +1,14 @@
 """The board: everything that a sheet can show on a page, placed once; nothing moves later.
 
 A sheet and a format give a `Plan`: frozen items in page units, with roles instead of colours.  A
-still, a step and a film are one plan at different beats.  In a lesson the mechanism stands large
-while it is drawn, then glides into its panel (`Opening`).
+still, a step and a film are one plan at different beats.  A lesson with several panels is played on
+a stage (`vad.plan.stage`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Protocol
 
@@ -21,8 +20,6 @@ from vad.plan.items import (
     ALWAYS,
     CAPTION,
     FLIGHT,
-    FOREVER,
-    OPENING,
     RESULTS,
     TITLE,
     Item,
@@ -52,16 +49,9 @@ from vad.plan.pictures.views import folds
 from vad.plan.reach import corners
 from vad.plan.scale import Scale, is_tall
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.sheet import Sheet
+from vad.strokes.sheet import Panel, Sheet
 from vad.strokes.telling import telling
 
-#: The regions that stay in their places meanwhile.
-STAYING = (TITLE, CAPTION)
-#: The largest factor by which a panel grows.  One that is smaller than usual may grow more, to the
-#: usual size.
-LARGEST = 1.7
-USUAL = 0.87 + 0.62j
-OPENING_MARGIN = 0.02
 #: The shares at which strokes that move while they grow are measured, to find how far they reach.
 SHARES = [part / 8 for part in range(9)]
 
@@ -77,8 +67,8 @@ class Board(Protocol):
     def regions(self) -> Mapping[str, Rect]:
         """The parts of the page in painting order; what stands in one stays within it."""
 
-    def shown(self, beat: int) -> Sequence[Item]:
-        """Return the items that show at a beat, in painting order."""
+    def at(self, moment: Moment) -> Sequence[Item]:
+        """Return the items that show at a moment, whatever is said then, in painting order."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,10 +102,9 @@ class Plan:
         """Return the items that show at a beat, in painting order."""
         return [item for item in self.items if item.since <= beat < item.until]
 
-    @cached_property
-    def opening(self) -> Opening:
-        """The first panel as it stands large at the beginning of a lesson."""
-        return opening(self.items, self.sheet.panels[0].name, self.regions[OPENING])
+    def at(self, moment: Moment) -> list[Item]:
+        """Return the items that show at a moment, in painting order; see `Board`."""
+        return self.shown(moment.beat)
 
     @property
     def finished(self) -> int:
@@ -125,15 +114,11 @@ class Plan:
 
 def seen(board: Board, moment: Moment) -> Sequence[Item]:
     """Return the items that show at a moment, in painting order."""
-    items = [
+    return [
         item
-        for item in board.shown(moment.beat)
+        for item in board.at(moment)
         if item.words is ALWAYS or item.words[0] <= moment.said < item.words[1]
     ]
-    if not moment.near:
-        return items
-    assert isinstance(board, Plan)  # a turn has no opening
-    return board.opening.shown(items, moment.near)
 
 
 def plan(
@@ -168,26 +153,11 @@ def plan(
     if lines is None:
         lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
     page, feet = arrange(sheet, form, lines)
-    rows = rows_of(sheet)
     sketches: dict[str, Sketch] = {}
-    numbers: dict[str, list[int]] = {half.name: [] for half in sheet.halves}
-    for number, each in enumerate(telling(sheet)):
-        numbers[each.half.name].append(number)
     for panel in sheet.panels:
-        taken = None
-        for half, room in rooms(panel, page.panels[panel.name].drawing, OVERLAP):
-            scale = scales.get(half.name)
-            aside = beside(panel, page.panels[panel.name].drawing)
-            told = numbers[half.name]
-            setting = Setting(sheet, half, room, rows, told, form.centimetre, scale, taken, aside)
-            sketches[half.name] = sketched(setting)
-            taken = sketches[half.name].obstacles
+        sketches |= column(sheet, panel, page.panels[panel.name].drawing, form, scales)
     regions = regions_of(page)
-    drawn = (item for sketch in sketches.values() for item in sketch.items)
-    items = list(found_later(drawn, sketches))
-    items += lights(sketches)
-    items += folds(sketches)
-    items += turned_polygons(sketches, apart=not words)
+    items = list(pictures(sketches, apart=not words))
     if words:
         items += [
             Item("", TITLE, Level.GROUND, tuple(title_marks(sheet, page))),
@@ -199,6 +169,36 @@ def plan(
         ]
     shown = tuple(in_painting_order(items, regions))
     return Plan(sheet, form, page, regions, shown, sketches)
+
+
+def column(
+    sheet: Sheet,
+    panel: Panel,
+    drawing: Rect,
+    form: Format,
+    scales: Mapping[str, Scale] = MappingProxyType({}),
+) -> dict[str, Sketch]:
+    """Return the sketches of a panel and of the one below it, in the place of both."""
+    sketches: dict[str, Sketch] = {}
+    rows, taken, aside = rows_of(sheet), None, beside(panel, drawing)
+    for half, room in rooms(panel, drawing, OVERLAP):
+        told = [number for number, each in enumerate(telling(sheet)) if each.half.name == half.name]
+        scale = scales.get(half.name)
+        setting = Setting(sheet, half, room, rows, told, form.centimetre, scale, taken, aside)
+        sketches[half.name] = sketched(setting)
+        taken = sketches[half.name].obstacles
+    return sketches
+
+
+def pictures(sketches: Mapping[str, Sketch], apart: bool = False) -> Iterator[Item]:
+    """Yield the items of all panels: what each holds, and what one shows of another.
+
+    ``apart`` says whether panels are pictures of their own, which nothing can leave.
+    """
+    yield from found_later((item for each in sketches.values() for item in each.items), sketches)
+    yield from lights(sketches)
+    yield from folds(sketches)
+    yield from turned_polygons(sketches, apart)
 
 
 def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:
@@ -233,13 +233,9 @@ def rows_of(sheet: Sheet) -> dict[str, int]:
 
 
 def regions_of(page: Page) -> dict[str, Rect]:
-    """Return the parts of a page that change on their own, in painting order.
-
-    The first is what lies between title and caption, while one panel has it to itself.
-    """
+    """Return the parts of a page that change on their own, in painting order."""
     top, low = page.title - 0.02, page.captions[0] + 0.038 if page.captions else 0.0
     regions = {
-        OPENING: Rect(0.0, low, page.width, top),
         TITLE: Rect(0.0, top, page.width, page.height),
     }
     for name, place in page.panels.items():
@@ -260,58 +256,6 @@ def regions_of(page: Page) -> dict[str, Rect]:
         regions[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)
     regions[FLIGHT] = Rect(0.0, 0.0, page.width, page.height)
     return regions
-
-
-@dataclass(frozen=True, slots=True)
-class Opening:
-    """A panel that stands large.
-
-    Attributes
-    ----------
-    panel
-        Its name.
-    factor, shift
-        A point z of the panel stands at ``factor * z + shift``.
-    large
-        Its items, each with itself as it stands large.
-    """
-
-    panel: str
-    factor: float
-    shift: complex
-    large: Mapping[Item, Item]
-
-    def shown(self, items: Iterable[Item], near: float) -> list[Item]:
-        """Return what shows of ``items``; at ``near`` 1 the panel is large, at 0 in its place."""
-        staying = [item for item in items if item.region in STAYING]
-        panel = [item for item in items if item.region == self.panel]
-        if near == 1.0:
-            return [self.large[item] for item in panel] + staying
-        factor, shift = 1.0 + near * (self.factor - 1.0), near * self.shift
-        return [_mapped(item, factor, shift) for item in panel] + staying
-
-
-def opening(items: Sequence[Item], panel: str, area: Rect) -> Opening:
-    """Return how a panel opens a lesson: so large that all that it ever shows fits in ``area``.
-
-    The part of it that stays is centred, if the rest leaves room for that.
-    """
-    own, room = [item for item in items if item.region == panel], area.inside(OPENING_MARGIN)
-    whole, staying = reach(own), reach(item for item in own if item.until == FOREVER)
-    usual = min(USUAL.real / whole.width, USUAL.imag / whole.height)
-    factor = min(max(LARGEST, usual), room.width / whole.width, room.height / whole.height)
-    low = complex(room.left, room.bottom) - factor * complex(whole.left, whole.bottom)
-    high = complex(room.right, room.top) - factor * complex(whole.right, whole.top)
-    ideal = room.centre - factor * staying.centre
-    shift = complex(
-        min(max(ideal.real, low.real), high.real), min(max(ideal.imag, low.imag), high.imag)
-    )
-    return Opening(panel, factor, shift, {item: _mapped(item, factor, shift) for item in own})
-
-
-def _mapped(item: Item, factor: float, shift: complex) -> Item:
-    marks = tuple(mark.mapped(factor, shift) for mark in item.marks)
-    return replace(item, region=OPENING, marks=marks)
 
 
 def reach(items: Iterable[Item]) -> Rect:

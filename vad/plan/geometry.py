@@ -41,6 +41,13 @@ class Rect:
             self.left + by.real, self.bottom + by.imag, self.right + by.real, self.top + by.imag
         )
 
+    def mapped(self, factor: float, shift: complex) -> Rect:
+        """Return the rectangle with every point z at ``factor * z + shift``."""
+        scaled = Rect(
+            factor * self.left, factor * self.bottom, factor * self.right, factor * self.top
+        )
+        return scaled.moved(shift)
+
     def inside(self, by: float) -> Rect:
         """Return the rectangle less a margin."""
         return Rect(self.left + by, self.bottom + by, self.right - by, self.top - by)

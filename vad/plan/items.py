@@ -14,7 +14,7 @@ from vad.plan.marks import Mark
 FOREVER = 1_000_000
 
 #: The regions of a page that belong to no panel; that of a panel's drawing is the panel's name.
-OPENING, TITLE, RESULTS, CAPTION = "opening", "title", "results", "caption"
+TITLE, RESULTS, CAPTION = "title", "results", "caption"
 #: The whole page, over everything else: what flies from one panel to another while a stroke is
 #: drawn.  Each of its items grows, and is gone at the next beat.
 FLIGHT = "flight"

@@ -205,7 +205,8 @@ def _least(page: Page) -> float:
     return min(min(drawing.width, drawing.height) for drawing in drawings)
 
 
-def _captions(lines: int) -> tuple[float, ...]:
+def caption_baselines(lines: int) -> tuple[float, ...]:
+    """Return the baselines of a caption of so many lines, from the first to the last."""
     return tuple(0.036 + CAPTION_PITCH * (lines - 1 - i) for i in range(lines))
 
 
@@ -245,7 +246,7 @@ def _side_by_side(
         rows=() if block else baselines,
         hairline=hairline,
         results=Rect(MARGIN, last - 0.012, form.width - MARGIN, hairline) if block else None,
-        captions=_captions(caption_lines),
+        captions=caption_baselines(caption_lines),
     )
 
 
@@ -279,7 +280,7 @@ def _grid(form: Format, equations: dict[str, int], caption_lines: int) -> Page:
         rows=(),
         hairline=0.0,
         results=Rect(lefts[0], floor, lefts[spare - 1] + room, rules[-1]),
-        captions=_captions(caption_lines),
+        captions=caption_baselines(caption_lines),
     )
 
 

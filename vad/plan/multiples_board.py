@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
+from vad.lecture.moment import Moment
 from vad.plan.board import rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
@@ -77,7 +78,7 @@ class MultiplesBoard:
             )
             self._items += sorted(finished, key=lambda item: item.level)
 
-    def shown(self, beat: int) -> list[Item]:
+    def at(self, moment: Moment) -> list[Item]:
         """Return all items: nothing comes or goes."""
         return self._items
 

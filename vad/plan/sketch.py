@@ -237,6 +237,32 @@ class Sketch:
             link = self.setting.panel.strokes[index].link
             self.lights.setdefault(link or "", []).extend([light] if light else [])
 
+    def mapped(self, factor: float, shift: complex) -> Sketch:
+        """Return it ``factor`` times as large with all its type and lines, and shifted."""
+        setting, scale, obstacles = self.setting, self.scale, self.obstacles
+        aside = setting.beside and setting.beside.mapped(factor, shift)
+        room = setting.room.mapped(factor, shift)
+        lines = [
+            (factor * start + shift, factor * end + shift, factor * half, span)
+            for start, end, half, span in obstacles.lines
+        ]
+        boxes = [(box.mapped(factor, shift), span) for box, span in obstacles.boxes]
+        return Sketch(
+            replace(setting, room=room, beside=aside, taken=None),
+            replace(scale, origin=factor * scale.origin + shift, factor=factor * scale.factor),
+            Obstacles(obstacles.edge.mapped(factor, shift), lines, boxes),
+            [
+                replace(item, marks=tuple(mark.mapped(factor, shift) for mark in item.marks))
+                for item in self.items
+            ],
+            [replace(tag, box=tag.box.mapped(factor, shift)) for tag in self.tags],
+            {
+                link: [mark.mapped(factor, shift) for mark in marks]
+                for link, marks in self.lights.items()
+            },
+            self.finished,
+        )
+
     def _beat(self, when: When, index: int) -> int:
         """Return a beat of stroke number ``index``."""
         setting = self.setting

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from vad.kinematics.linkage import points_of
+from vad.lecture.moment import Moment
 from vad.lecture.turn import Turn
 from vad.plan.board import rows_of
 from vad.plan.chart import HEIGHT as LINE
@@ -92,6 +93,10 @@ class TurnBoard:
         self.unmoved = [Item("", name, Level.GROUND, tuple(each)) for name, each in marks if each]
         for moving in self.panels.values():
             self.unmoved += moving.still()
+
+    def at(self, moment: Moment) -> list[Item]:
+        """Return the items of a moment, in painting order; its beat is a frame."""
+        return self.shown(moment.beat)
 
     def shown(self, beat: int) -> list[Item]:
         """Return the items of one frame, in painting order."""

@@ -16,8 +16,7 @@ from typing import Any, assert_never
 import vad
 from tests.kinds import SPACE
 from vad.lecture.lesson import Lesson
-from vad.painting.posed import board_of
-from vad.plan.board import plan
+from vad.plan.board import Plan, plan
 from vad.plan.format import screen
 from vad.plan.items import FOREVER, Item
 from vad.plan.marks import (
@@ -38,6 +37,7 @@ from vad.plan.marks import (
 )
 from vad.plan.turn_board import TurnBoard
 from vad.strokes.sheet import Sheet
+from vad.style import load_style
 
 HERE = Path(__file__).parent
 KEY = 0.058
@@ -63,8 +63,13 @@ def lesson(scene: str) -> Lesson:
     return vad.animate(sheet(scene))
 
 
+def lesson_plan(film: Lesson) -> Plan:
+    """Return all panels of a lesson side by side, with its captions."""
+    return plan(film.sheet, screen(film.size), load_style(film.style).key, lesson=True)
+
+
 def _lesson(scene: str) -> Iterable[str]:
-    return written(board_of(lesson(scene)).items)
+    return written(lesson_plan(lesson(scene)).items)
 
 
 def _still(scene: str) -> Iterable[str]:

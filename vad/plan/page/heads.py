@@ -175,11 +175,13 @@ def _sum(terms: Sequence[Term], half: str, sign: str = "") -> list[Piece]:
     return pieces
 
 
-def _pieces(equation: Equation, half: str) -> list[Piece]:
+def pieces(equation: Equation, half: str) -> list[Piece]:
+    """Return the terms and signs of an equation of a half of a panel."""
     return _sum(equation.left, half) + _sum(equation.right, half, "=")
 
 
-def _width(pieces: Sequence[Piece]) -> float:
+def type_width(pieces: Sequence[Piece]) -> float:
+    """Return the width of pieces in type sizes."""
     return sum(width(piece.runs, 1.0) + piece.space for piece in pieces)
 
 
@@ -190,23 +192,23 @@ def compose(panel: Panel, room: float) -> Foot:
     """
     remark = tuple(wrap(pieces_of(panel.remark), REMARK_SIZE, room)) if panel.remark else ()
     equations = [(each, half.name) for half in panel.halves for each in half.equations]
-    loops = [_pieces(*each) for each in equations]
+    loops = [pieces(*each) for each in equations]
     if not loops:
         return Foot((), EQUATION_SIZE, remark)
     together: list[Piece] = []
     for loop in loops:
         first = replace(loop[0], space=LOOP_SPACE if together else 0.0)
         together += [first, *loop[1:]]
-    if _width(together) * EQUATION_SIZE <= room:
+    if type_width(together) * EQUATION_SIZE <= room:
         return Foot((tuple(together),), EQUATION_SIZE, remark)
     lines: list[tuple[Piece, ...]] = []
     for (equation, half), loop in zip(equations, loops, strict=True):
-        if _width(loop) * LEAST_EQUATION <= room:
+        if type_width(loop) * LEAST_EQUATION <= room:
             lines.append(tuple(loop))
         else:
             left = _sum(equation.left, half)
             lines += [tuple(left), tuple(loop[len(left) :])]
-    widest = max(_width(line) for line in lines)
+    widest = max(type_width(line) for line in lines)
     return Foot(tuple(lines), min(EQUATION_SIZE, room / widest), remark)
 
 
@@ -214,7 +216,7 @@ def placed(foot: Foot, baselines: Sequence[float], middle: float) -> list[tuple[
     """Return the terms and signs of the equation, centred, each with its piece."""
     found: list[tuple[Lettering, Piece]] = []
     for pieces, baseline in zip(foot.lines, baselines[len(foot.remark) :], strict=False):
-        x = middle - _width(pieces) * foot.size / 2
+        x = middle - type_width(pieces) * foot.size / 2
         for piece in pieces:
             x += piece.space * foot.size
             found.append((Lettering(piece.runs, complex(x, baseline), foot.size), piece))

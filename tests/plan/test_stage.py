@@ -1,0 +1,222 @@
+"""The stage of a lecture: what is large, how panels move, and that it ends with the still."""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+import vad
+from tests.plan.test_marks import points
+from vad.files.examples import example_names, example_path
+from vad.lecture.lesson import Lesson
+from vad.lecture.moment import Moment, done, moments
+from vad.lecture.scenes import scene_numbers, scenes
+from vad.painting.film import filmed, redraw
+from vad.painting.posed import board_of, posed
+from vad.plan.board import Plan, seen
+from vad.plan.items import Item, together
+from vad.plan.lettering.glyphs import typeset
+from vad.plan.marks import Lettering
+from vad.plan.page.work import parts
+from vad.plan.stage import MOVING, Stage
+from vad.style import load_style
+
+pytestmark = pytest.mark.exhaustive
+
+SIZES = [(1280, 720), (960, 720)]
+EVERY = [*vad.MECHANISMS, *example_names()]
+LEAST_SHARE = 0.55
+NEAR = 1e-9
+
+
+@cache
+def lesson_of(name: str, size: tuple[int, int] = SIZES[0]) -> Lesson:
+    kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
+    return vad.animate(vad.draw(vad.solve(kind())), size=size)
+
+
+@cache
+def stage_of(name: str, size: tuple[int, int] = SIZES[0]) -> Stage:
+    board = board_of(lesson_of(name, size))
+    assert isinstance(board, Stage)
+    return board
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("name", EVERY)
+def test_the_panel_in_work_has_more_than_half_of_the_height(name: str, size: tuple[int, int]):
+    stage = stage_of(name, size)
+    for number, large in enumerate(scenes(stage.sheet)):
+        layout = stage.layout(number)
+        drawing = layout.page.panels[large].drawing
+        assert drawing.height >= LEAST_SHARE * stage.form.height
+        assert drawing.width >= LEAST_SHARE * stage.form.width
+        shown = stage.scene(number)
+        letters = {
+            panel: mark.shape.size
+            for panel in layout.zooms
+            for item in shown.items
+            if item.region == f"{number}:{panel}"
+            for mark in item.marks
+            if mark.role == "letter" and isinstance(mark.shape, Lettering)
+        }
+        others = [letters[panel] for panel in letters if panel != large]
+        assert all(letters[large] > other for other in others)
+
+
+@pytest.mark.parametrize("size", [*SIZES, (720, 1280), (900, 900), (1600, 500)])
+@pytest.mark.parametrize("name", ["slider-crank", "jansen-leg", "hooke-joint"])
+def test_the_parts_of_a_scene_lie_apart_on_the_page(name: str, size: tuple[int, int]):
+    stage = stage_of(name, size)
+    for number in range(stage.count):
+        layout = stage.layout(number)
+        areas = [*(place.drawing for place in layout.page.panels.values()), layout.work]
+        for one, other in combinations(areas, 2):
+            aside = one.right <= other.left or other.right <= one.left
+            assert aside or one.top <= other.bottom or other.top <= one.bottom
+        for area in areas:
+            assert 0.0 < area.left < area.right < stage.form.width
+            assert layout.page.captions[0] < area.bottom < area.top < layout.page.title
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "jansen-leg", "hooke-joint", "rssr"])
+def test_equation_and_rows_stay_beside_the_drawing(name: str):
+    for size in SIZES:
+        stage = stage_of(name, size)
+        for number in range(stage.count):
+            area, sizes = stage.layout(number).work, []
+            items = [each for each in stage.scene(number).items if each.region.endswith(":work")]
+            for text in (m.shape for i in items for m in i.marks):
+                if isinstance(text, Lettering):
+                    ink = typeset(text.runs)
+                    assert area.left - NEAR <= text.at.real
+                    assert text.at.real + text.size * ink.right <= area.right + 0.002
+                    assert area.bottom <= text.at.imag <= area.top
+                    sizes.append(text.size)
+            assert min(sizes, default=1.0) >= 0.018
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("name", EVERY)
+def test_no_label_of_a_scene_lies_on_another(name: str, size: tuple[int, int]):
+    stage = stage_of(name, size)
+    for number in range(stage.count):
+        sketches = stage.scene(number).sketches
+        for panel in stage.sheet.panels:
+            tags = [tag for half in panel.halves for tag in sketches[half.name].tags]
+            for one, other in combinations(tags, 2):
+                if together(one.span, other.span):
+                    apart = one.box.right <= other.box.left or other.box.right <= one.box.left
+                    apart |= one.box.top <= other.box.bottom or other.box.top <= one.box.bottom
+                    assert apart, (panel.name, one.text, other.text)
+
+
+@pytest.mark.parametrize("style", ["paper", "chalk"])
+@pytest.mark.parametrize("name", ["slider-crank", "crank-slotted-lever", "hooke-joint"])
+def test_a_film_ends_with_the_still(name: str, style: str):
+    sheet = lesson_of(name).sheet
+    film = vad.animate(sheet, size=(640, 360), style=style, fps=2)
+    still = posed(sheet, (640, 360), style)
+    expected = redraw(still.board, still.moment, still.style)
+    *_, last = filmed(film)
+    assert np.array_equal(last.pixels, expected)
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "crank-slotted-lever", "jansen-leg", "rssr"])
+def test_a_move_begins_and_ends_where_its_scenes_stand(name: str):
+    """No mark jumps by more than its share of the way; at the ends it stands in its place."""
+    stage = stage_of(name)
+    counts = scene_numbers(stage.sheet)
+    for number in range(stage.count):
+        beat = stage.finished if number == stage.count - 1 else done(counts.index(number + 1))
+        for end, before in ((number, False), (number + 1, True)):
+            there = _places([item for item in seen(stage, Moment(beat, scene=end)) if _moves(item)])
+            share = end - 1e-9 if before else end + 1e-9
+            near = _places([i for i in seen(stage, Moment(beat, scene=share)) if _moves(i)])
+            assert len(there) > 20
+            assert len(near) == len(there)
+            assert all(
+                abs(a - b) < 1e-6 for a, b in zip(sorted_(there), sorted_(near), strict=True)
+            )
+
+
+def _moves(item: Item) -> bool:
+    return item.region not in ("title", "caption")
+
+
+def _places(items: list[Item]) -> list[complex]:
+    return [z for item in items for mark in item.marks for z in points(mark)]
+
+
+def sorted_(places: list[complex]) -> list[complex]:
+    return sorted(places, key=lambda z: (round(z.real, 5), round(z.imag, 5)))
+
+
+def test_while_panels_move_every_dot_is_between_its_places():
+    stage = stage_of("slider-crank")
+    beat = done(len(stage.sheet.panels[0].strokes))
+
+    def dots(scene: float) -> list[complex]:
+        items = seen(stage, Moment(beat, scene=scene))
+        marks = [mark for item in items for mark in item.marks]
+        return [mark.shape.centre for mark in marks if mark.role == "joint"]
+
+    first, middle, last = dots(0.0), dots(0.5), dots(1.0)
+    assert len(first) == len(middle) == len(last) > 2
+    for one, between, other in zip(first, middle, last, strict=True):
+        assert abs(between - (one + other) / 2) < NEAR
+    assert {item.region for item in seen(stage, Moment(beat, scene=0.5))} == {
+        "title",
+        MOVING,
+        "caption",
+    }
+
+
+def test_each_loop_has_its_equation_and_its_rows():
+    sheet = lesson_of("jansen-leg").sheet
+    panel = sheet.panel("velocity")
+    found = parts(panel)
+    assert [part.equations for part in found] == [(each,) for each in panel.equations]
+    assert found[0].first == 0
+    assert found[-1].end == len(panel.strokes)
+    for part in found:
+        terms = [t for e in part.equations for t in (*e.left, *e.right) if t.stroke]
+        rows = {row.key for row in part.rows(sheet)}
+        assert len(rows) <= 5
+        assert {t.link for t in terms if t.link and panel.number(t.stroke) >= part.first} <= rows
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "spherical-four-bar"])
+def test_what_is_measured_shows_with_its_stroke(name: str):
+    lesson, stage = lesson_of(name), stage_of(name)
+    for number, step in enumerate(lesson.steps):
+        shown = [
+            item
+            for item in stage.scene(step.scene).shown(done(number + 1))
+            if item.region.endswith(":work") and any(m.role == "words" for m in item.marks)
+        ]
+        own = [item for item in shown if item.stroke == step.panel.full(step.stroke.name)]
+        assert bool(own) <= bool(step.stroke.reveals)
+        for item in shown:
+            if item.stroke:
+                names = [s.panel.full(s.stroke.name) for s in lesson.steps[: number + 1]]
+                assert item.stroke in names
+
+
+def test_one_panel_has_no_stage():
+    sheet = vad.draw(vad.solve(vad.FourBar()), panels="velocity")
+    assert isinstance(board_of(vad.animate(sheet)), Plan)
+    assert scenes(sheet) == ()
+
+
+def test_every_frame_of_a_lesson_of_forces_equals_its_redraw():
+    masses = {"coupler": {"mass": 1, "at": "G", "inertia": 5e-4}}
+    machine = vad.FourBar(points={"G": ("coupler", 40)})
+    sheet = vad.draw(vad.forces(vad.solve(machine), masses=masses))
+    lesson = vad.animate(sheet, size=(480, 360), fps=2)
+    board, style = board_of(lesson), load_style("paper")
+    for frame, (state, _) in zip(filmed(lesson), moments(lesson), strict=True):
+        assert np.array_equal(frame.pixels, redraw(board, state, style)), state

@@ -1,0 +1,135 @@
+"""A move: the items of one layout on their way to their places in another.
+
+The two layouts show the same panels, so most items have a counterpart: marks with the same role,
+the same ink and the same form.  Such a mark moves straight, and grows or shrinks on its way.  What
+is in one layout only fades.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from vad.plan.items import Item
+from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
+
+#: Until this share of a move fades what goes, and from there on appears what comes.
+HALF = 0.5
+
+#: An item, and its counterpart in the other layout: None for what goes, or for what comes.
+Pair = tuple[Item | None, Item | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """The items of two layouts, each with its counterpart, in painting order."""
+
+    pairs: tuple[Pair, ...]
+    region: str
+
+    @classmethod
+    def between(cls, before: Sequence[Item], after: Sequence[Item], region: str) -> Move:
+        """Return the move from one layout to another, which takes place in a region."""
+        waiting: dict[object, list[Item]] = defaultdict(list)
+        for item in after:
+            waiting[_key(item)].append(item)
+        pairs: list[Pair] = []
+        for item in before:
+            same = waiting[_key(item)]
+            pairs.append((item, same.pop(0) if same else None))
+        left = {id(item) for items in waiting.values() for item in items}
+        pairs += [(None, item) for item in after if id(item) in left]
+        return cls(tuple(pairs), region)
+
+    def at(self, share: float) -> list[Item]:
+        """Return the items when ``share`` of the way is behind them."""
+        found: list[Item] = []
+        for one, other in self.pairs:
+            if one and other:
+                marks = [
+                    mark
+                    for pair in zip(one.marks, other.marks, strict=True)
+                    for mark in _between(*pair, share)
+                ]
+                found.append(replace(other, region=self.region, marks=tuple(marks)))
+            elif one and share < HALF:
+                found.append(replace(one, region=self.region, marks=_faded(one.marks, 1 - share)))
+            elif other and share > HALF:
+                found.append(replace(other, region=self.region, marks=_faded(other.marks, share)))
+        return found
+
+
+def _key(item: Item) -> object:
+    """Return what an item has in common with its counterpart."""
+    place = item.region.rpartition(":")[2]
+    forms = tuple((mark.role, mark.row, type(mark.shape)) for mark in item.marks)
+    return place, item.stroke, item.level, item.since, item.until, item.words, forms
+
+
+def _faded(marks: Iterable[Mark], share: float) -> tuple[Mark, ...]:
+    """Return marks with little ink in the middle of the move, and all of it at its ends."""
+    ink = (share - HALF) / (1.0 - HALF)
+    return tuple(replace(mark, alpha=ink * mark.alpha, growth=None) for mark in marks)
+
+
+def _between(one: Mark, other: Mark, share: float) -> Iterable[Mark]:
+    """Return a mark on its way; both of them, faded, where their forms differ."""
+    shape = between_shapes(one.shape, other.shape, share)
+    if shape is None:
+        return _faded([one], 1 - share) if share < HALF else _faded([other], share)
+    width, alpha = (
+        start + share * (end - start)
+        for start, end in ((one.width, other.width), (one.alpha, other.alpha))
+    )
+    return [replace(other, shape=shape, width=width, alpha=alpha, growth=None)]
+
+
+def between_shapes(one: Outline, other: Outline, share: float) -> Outline | None:
+    """Return a shape between two of the same form; None where their forms differ.
+
+    Examples
+    --------
+    >>> between_shapes(Disc(0j, 1.0), Disc(2 + 2j, 3.0), 0.5)
+    Disc(centre=(1+1j), radius=2.0)
+    """
+
+    def way(start: complex, end: complex) -> complex:
+        return start + share * (end - start)
+
+    def size(start: float, end: float) -> float:
+        return start + share * (end - start)
+
+    match one, other:
+        case Polyline(starts), Polyline(ends) if _alike(starts, ends):
+            return Polyline(_along(starts, ends, share))
+        case Polygon(starts), Polygon(ends) if _alike(starts, ends):
+            return Polygon(_along(starts, ends, share))
+        case Disc(), Disc():
+            return Disc(way(one.centre, other.centre), size(one.radius, other.radius))
+        case Bow(), Bow() if (one.axis, one.narrow) == (other.axis, other.narrow):
+            return replace(
+                other,
+                centre=way(one.centre, other.centre),
+                radius=size(one.radius, other.radius),
+                start=size(one.start, other.start),
+                sweep=size(one.sweep, other.sweep),
+            )
+        case Lettering(), Lettering() if one.runs == other.runs:
+            return Lettering(one.runs, way(one.at, other.at), size(one.size, other.size))
+    return None
+
+
+Rings = tuple[tuple[complex, ...], ...]
+
+
+def _alike(one: Rings, other: Rings) -> bool:
+    return list(map(len, one)) == list(map(len, other))
+
+
+def _along(one: Rings, other: Rings, share: float) -> Rings:
+    pairs = zip(one, other, strict=True)
+    return tuple(
+        tuple(a + share * (b - a) for a, b in zip(starts, ends, strict=True))
+        for starts, ends in pairs
+    )

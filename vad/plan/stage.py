@@ -1,0 +1,242 @@
+"""The stage of a lesson: the panel in work is large, and the panels move from scene to scene.
+
+A lesson with several panels is a row of scenes (`vad.lecture.scenes`), each of them a `Plan` of the
+same sheet in a layout of its own.  After the last scene comes the sheet as it is drawn as a still.
+Between two of them every mark moves straight from its place in one to its place in the other
+(`vad.plan.moving`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+
+from vad.lecture.answer import answer
+from vad.lecture.moment import Moment, drawing, finished
+from vad.lecture.scenes import scenes
+from vad.plan.board import Plan, column, pictures, plan, reach
+from vad.plan.format import Format
+from vad.plan.geometry import Rect
+from vad.plan.items import CAPTION, FLIGHT, TITLE, Item, Level, head_of, in_painting_order
+from vad.plan.layout import MARGIN
+from vad.plan.lettering.glyphs import fitted
+from vad.plan.lettering.runs import bold, roman
+from vad.plan.marks import Lettering, Mark, line
+from vad.plan.moving import Move
+from vad.plan.page.changing import caption_lines, captions
+from vad.plan.page.heads import head, pale, title_marks
+from vad.plan.page.work import in_work
+from vad.plan.reach import corners
+from vad.plan.scene_layout import SceneLayout, lay_out_scene
+from vad.plan.sketch import Sketch
+from vad.strokes.sheet import Panel, Sheet
+
+#: The regions in which panels move: between scenes above the caption, at last on the whole page.
+MOVING, LAST_MOVE = "moving", "last move"
+#: The regions that all scenes have in common.
+SHARED = (TITLE, CAPTION, FLIGHT)
+SMALL_TITLE, LEAST_SMALL_TITLE = 0.030, 0.020
+SLACK = 0.012  # of a drawing: so far the pencil may reach beyond it
+
+
+class Stage:
+    """The board of a lesson with several panels.
+
+    Attributes
+    ----------
+    sheet
+        What is drawn.
+    form
+        The shape of the page.
+    regions
+        The parts of the page that change on their own, those of all scenes, in painting order.
+    """
+
+    def __init__(self, sheet: Sheet, form: Format, key: float) -> None:
+        self.sheet, self.form, self._key = sheet, form, key
+        self._names = scenes(sheet)
+        lines = caption_lines(sheet, form.width - 2 * MARGIN)
+        shapes = {panel.name: _shape(panel) for panel in sheet.panels}
+        self._layouts = [lay_out_scene(form, shapes, name, lines) for name in self._names]
+        self._drawn: dict[tuple[str, float, float], dict[str, Sketch]] = {}
+        self._made: dict[int, Plan] = {}
+        self._moves: dict[tuple[int, int], Move] = {}
+        first = self._layouts[0].regions
+        low, top = first[CAPTION].top, first[TITLE].bottom
+        self.regions: dict[str, Rect] = {TITLE: first[TITLE]}
+        for number, layout in enumerate(self._layouts):
+            self._add(number, layout.regions)
+        self._add(len(self._layouts), self.whole.regions)
+        self.regions[MOVING] = Rect(0.0, low, form.width, top)
+        self.regions[LAST_MOVE] = Rect(0.0, 0.0, form.width, top)
+        self.regions[CAPTION] = first[CAPTION]
+        self.regions[FLIGHT] = Rect(0.0, 0.0, form.width, form.height)
+
+    def _add(self, number: int, regions: Mapping[str, Rect]) -> None:
+        own = {_of(number, name): area for name, area in regions.items() if name not in SHARED}
+        self.regions |= own
+
+    @property
+    def count(self) -> int:
+        """The number of scenes, without the whole sheet at the end."""
+        return len(self._layouts)
+
+    @property
+    def finished(self) -> int:
+        """The beat at which all strokes are done and the tools put away."""
+        return finished(sum(len(half.strokes) for half in self.sheet.halves))
+
+    @cached_property
+    def whole(self) -> Plan:
+        """The sheet, as a still shows it."""
+        return plan(self.sheet, self.form, self._key)
+
+    def at(self, moment: Moment) -> Sequence[Item]:
+        """Return the items that show at a moment, in painting order; see `Board`."""
+        number, share = divmod(moment.scene, 1.0)
+        now = int(number)
+        if share:
+            own = self._move(now, moment.beat).at(share)
+        else:
+            own = self.scene(now).shown(moment.beat)
+        said = [] if moment.scene > self.count - 1 else self._captions
+        # Title and caption are the same in all scenes.
+        shown = [*self._title, *own, *(each for each in said if _shows(each, moment.beat))]
+        return sorted(shown, key=lambda item: item.region == FLIGHT)
+
+    def scene(self, number: int) -> Plan:
+        """Return the plan of a scene without title and caption; after the last that of the sheet.
+
+        Its regions are those of the stage.
+        """
+        if number not in self._made:
+            made = self._last() if number == self.count else self._scene(number)
+            self._made[number] = made
+        return self._made[number]
+
+    def layout(self, number: int) -> SceneLayout:
+        """Return the layout of a scene."""
+        return self._layouts[number]
+
+    def _last(self) -> Plan:
+        items = (each for each in self.whole.items if each.region not in (TITLE, CAPTION))
+        return replace(self.whole, items=tuple(_in_scene(items, self.count)))
+
+    def _scene(self, number: int) -> Plan:
+        layout, sheet = self._layouts[number], self.sheet
+        page, large = layout.page, sheet.panel(layout.large)
+        sketches: dict[str, Sketch] = {}
+        for panel in sheet.panels:
+            sketches |= self._placed(panel, page.panels[panel.name].drawing, layout)
+        drawn = list(pictures(sketches))
+        own = [item for item in drawn if item.region == large.name]
+        factor, shift = _fitted(own, page.panels[large.name].drawing)
+        if (factor, shift) != (1.0, 0j):
+            for half in large.halves:
+                sketches[half.name] = sketches[half.name].mapped(factor, shift)
+            drawn = list(pictures(sketches))
+        items = [
+            *drawn,
+            *self._heads(layout, sketches),
+            *in_work(sheet, large, sketches, layout.work, self._key),
+        ]
+        regions = layout.regions
+        ordered = _in_scene(in_painting_order(items, regions), number)
+        return Plan(sheet, self.form, page, regions, tuple(ordered), sketches)
+
+    def _placed(self, panel: Panel, drawing: Rect, layout: SceneLayout) -> dict[str, Sketch]:
+        """Return the sketches of a panel in a place, with lines and letters of its own size.
+
+        It is laid out in a room of its own, and from there shifted and scaled to its place, so that
+        thumbnails of one size are laid out once.
+        """
+        zoom = layout.zooms[panel.name]
+        size = drawing.width / zoom, drawing.height / zoom
+        key = panel.name, round(size[0], 9), round(size[1], 9)
+        if key not in self._drawn:
+            bare = panel if panel.name == layout.large else _without_notes(panel)
+            self._drawn[key] = column(self.sheet, bare, Rect(0.0, 0.0, *size), self.form)
+        shift = complex(drawing.left, drawing.bottom)
+        return {name: each.mapped(zoom, shift) for name, each in self._drawn[key].items()}
+
+    def _heads(self, layout: SceneLayout, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+        """Yield the heads of the panels, faint until they are begun; thumbnails state no scale."""
+        for panel in self.sheet.panels:
+            place, sketch = layout.page.panels[panel.name], sketches[panel.name]
+            begun, region = drawing(sketch.setting.first), head_of(panel.name)
+            if panel.name == layout.large:
+                full = head(panel, place, sketch.scale, None, self.sheet.notation)
+            else:
+                left, right = place.drawing.left, place.drawing.right
+                title = bold(roman(panel.title))
+                size = fitted(title, SMALL_TITLE, LEAST_SMALL_TITLE, right - left)
+                full = [
+                    line([complex(left, place.rule), complex(right, place.rule)], "hairline"),
+                    Mark(Lettering(title, complex(left, place.title), size), "words"),
+                ]
+            yield Item("", region, Level.GROUND, tuple(pale(full)), 0, begun)
+            yield Item("", region, Level.GROUND, tuple(full), begun)
+
+    def _move(self, number: int, beat: int) -> Move:
+        """Return the move from a scene to the next one."""
+        if (number, beat) not in self._moves:
+            before, after = (self.scene(each).shown(beat) for each in (number, number + 1))
+            region = LAST_MOVE if number == self.count - 1 else MOVING
+            self._moves = {(number, beat): Move.between(before, after, region)}
+        return self._moves[number, beat]
+
+    @cached_property
+    def _title(self) -> list[Item]:
+        marks = title_marks(self.sheet, self._layouts[0].page)
+        return [Item("", TITLE, Level.GROUND, tuple(marks))]
+
+    @cached_property
+    def _captions(self) -> list[Item]:
+        sketches = self.scene(0).sketches
+        return list(captions(self.sheet, self._layouts[0].page, sketches, answer(self.sheet)))
+
+
+def _fitted(items: Sequence[Item], area: Rect) -> tuple[float, complex]:
+    """Return factor and shift with which all that a panel ever shows stays in its place.
+
+    The hinge of a pair of compasses may stand farther out than what is drawn with it, and a polygon
+    that turns may need more room than it has in the end.
+    """
+    whole = reach(items) if items else area
+    ends = complex(whole.left, whole.bottom), complex(whole.right, whole.top)
+    if all(area.holds(end, SLACK) for end in ends):
+        return 1.0, 0j
+    factor = min(1.0, area.width / whole.width, area.height / whole.height)
+    low = complex(area.left, area.bottom) - factor * ends[0]
+    high = complex(area.right, area.top) - factor * ends[1]
+    ideal = (1.0 - factor) * area.centre
+    return factor, complex(
+        min(max(ideal.real, low.real), high.real), min(max(ideal.imag, low.imag), high.imag)
+    )
+
+
+def _shape(panel: Panel) -> complex:
+    """Return the width and the height of what is drawn in a panel, as real and imaginary part."""
+    points = [point for half in panel.halves for point in corners(half)] or [0j]
+    xs, ys = [z.real for z in points], [z.imag for z in points]
+    return complex(max(xs) - min(xs), max(ys) - min(ys))
+
+
+def _without_notes(panel: Panel) -> Panel:
+    """Return a panel as a thumbnail has room for it."""
+    below = panel.below and replace(panel.below, notes=(), inset=None)
+    return replace(panel, notes=(), inset=None, below=below)
+
+
+def _of(number: int, region: str) -> str:
+    """Return the name of a region of a scene among those of the stage."""
+    return region if region in SHARED else f"{number}:{region}"
+
+
+def _in_scene(items: Sequence[Item] | Iterator[Item], number: int) -> list[Item]:
+    return [replace(item, region=_of(number, item.region)) for item in items]
+
+
+def _shows(item: Item, beat: int) -> bool:
+    return item.since <= beat < item.until
