@@ -557,7 +557,7 @@ def test_a_page_shows_and_answers_for_the_other_assembly(page: Page) -> None:
 
 
 def test_a_row_hides_its_vectors_and_a_key_enlarges_a_panel(page: Page) -> None:
-    faint = """() => [...document.querySelectorAll('.hand path')].filter(
+    faint = """() => [...document.querySelectorAll('.hand :is(path, polyline, polygon)')].filter(
       (each) => getComputedStyle(each).opacity === '0.1').length"""
     press(page, "End", "h")
     page.locator(".hides").nth(1).click()

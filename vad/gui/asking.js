@@ -23,7 +23,7 @@ const asked = (path, body) => post(path, body).then((answer) => answer.json(), (
 
 // Asks for the lesson of what is set: at once, or when nothing has changed for a while.
 function want(now = false) {
-  root.classList.add("moving");
+  if (!root.classList.contains("moving")) root.classList.add("moving");
   clearTimeout(timer);
   timer = now ? 0 : setTimeout(() => want(true), CALM);
   wanted ||= now;

@@ -38,7 +38,8 @@ function followed() {
   data.inputs.slice(0, data.own.length).forEach((name, i) => (set.inputs[name] = i ? state[i] : body.place));
   for (const [name, , , , , index] of data.dimensions) resize(name, state[index]);
   if (data.sides.length) placed(placesNow());
-  const same = poseNow() === copied;
+  // Who passes by its pose does not see it.
+  const same = poseNow() === copied && !standing.dock.busy;
   root.classList.toggle("copied", same);
   if (!same) want();
 }

@@ -22,14 +22,14 @@ function addressed(root, body, dock, page, player) {
     page.pose(asked);
   }
 
-  let timer = 0;
+  const later = rested(() => {
+    if (!dock.held) return;
+    const told = entries(page.state).filter(([name, value]) => name === driver || value !== own.get(name));
+    const pairs = told.map(([name, value]) => `&${name}=${encodeURIComponent(value)}`).join("");
+    try { history.replaceState(null, "", `#hand${pairs}`); } catch { /* a frame without an address */ }
+  }, 250);
   function write() {
-    clearTimeout(timer);
-    if (dock.held) timer = setTimeout(() => {
-      const told = entries(page.state).filter(([name, value]) => name === driver || value !== own.get(name));
-      const pairs = told.map(([name, value]) => `&${name}=${encodeURIComponent(value)}`).join("");
-      try { history.replaceState(null, "", `#hand${pairs}`); } catch { /* a frame without an address */ }
-    }, 250);
+    if (dock.held) later();
     else if (location.hash.startsWith("#hand"))
       try { history.replaceState(null, "", `#step=${Math.ceil(player.x)}`); } catch { /* the same */ }
   }

@@ -6,7 +6,6 @@
 function described(root, body, player) {
   const { data, state, out, view } = body, { words } = data, svgs = root.querySelectorAll(".drawing svg");
   const polygons = data.polygons.filter(({ mechanism, bar }) => !mechanism && bar);
-  let timer = 0;
 
   function sentence({ half, input, bar }) {
     const [x, y, factor] = state.slice(input, input + 3), found = [];
@@ -28,7 +27,7 @@ function described(root, body, player) {
     });
   }
 
-  const later = () => { clearTimeout(timer); timer = setTimeout(tell, REST); };
+  const later = rested(tell, REST);
   player.on(root, "vad:step", later);
   body.on(later);
   later();

@@ -63,10 +63,10 @@ function docked(root, body, player) {
   }
 
   function say() {
-    const [said, more] = sentence(), now = `${said} ${more}`.trim();
-    text.replaceChildren(said, span("more", more && ` ${more}`));
+    const [said, more] = sentence(), now = `${said} ${more}`.trim(), away = Boolean(mishap || !body.atEnd || running() || body.beyond() < 0);
+    if (now !== text.textContent.trim()) text.replaceChildren(said, span("more", more && ` ${more}`));
     root.classList.toggle("limited", body.atEnd || body.dead);
-    other.hidden = mishap || !body.atEnd || running() || body.beyond() < 0;
+    if (other.hidden !== away) other.hidden = away;
     track.setAttribute("aria-valuetext", turns ? filled(words.degrees, { value: here() }) : placed());
     if (body.atEnd && spoken !== now) speak();
   }
@@ -79,7 +79,6 @@ function docked(root, body, player) {
   function shown() {
     if (!held) return;
     track.value = body.place;
-    track.style.setProperty("--share", share(body.place));
     if (document.activeElement !== box) box.value = here();
     say();
     for (const listener of listeners) listener();
@@ -371,6 +370,8 @@ function docked(root, body, player) {
     // The lesson is now that of another pose, and its cells are as they stand.
     renew: () => { written = said(); if (held) { scale(); offer(); } },
     get held() { return held; },
+    // Whether a gesture is not yet over.
+    get busy() { return before !== null; },
     get history() { return [past, future]; },
     set history(both) { [past, future] = both; able(); },
   };

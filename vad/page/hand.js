@@ -83,11 +83,12 @@ function driven(root, solve, data) {
   }
 
   // The ring stands where it is to be taken.
+  const ring = root.querySelector("[data-vad-grip]");
   function held() {
-    const { grip } = data, ring = root.querySelector("[data-vad-grip]");
     if (!ring) return;
-    ring.setAttribute("cx", view.x(grip.at[0]).toFixed(2));
-    ring.setAttribute("cy", view.y(grip.at[1]).toFixed(2));
+    const x = view.x(data.grip.at[0]).toFixed(2), y = view.y(data.grip.at[1]).toFixed(2);
+    if (ring.getAttribute("cx") !== x) ring.setAttribute("cx", x);
+    if (ring.getAttribute("cy") !== y) ring.setAttribute("cy", y);
   }
   view.glides(held);
 
@@ -142,9 +143,12 @@ function dragged(root, body, take, gone) {
   const { data, view } = body, ring = root.querySelector("[data-vad-grip]");
   if (!ring) return;
   const svg = ring.ownerSVGElement, { kind, about, way, factor } = data.grip;
-  let from = null;
+  let from = null, within = null;
+  // Where the picture is in the window is asked once, until it may have moved.
+  for (const name of ["scroll", "resize"]) addEventListener(name, () => { within = null; }, { capture: true, passive: true });
   const at = (event) => {
-    const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    within ??= svg.getScreenCTM().inverse();
+    const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(within);
     const du = point.x - view.x(about[0]), dv = point.y - view.y(about[1]);
     if (kind === "angle") return Math.atan2(-dv, du) * 180 / Math.PI;
     return (kind === "length" ? Math.hypot(du, dv) : du * way[0] + dv * way[1]) / factor / view.unit;
@@ -156,6 +160,7 @@ function dragged(root, body, take, gone) {
     ring.setPointerCapture(event.pointerId);
     take();
     body.rest();
+    within = null;
     from = at(event);
     event.preventDefault();
   });

@@ -61,6 +61,8 @@ from vad.written import THIN_SPACE
 _FAR = (0.030, 0.044, 0.058)
 #: The attributes of a shape that are set before it is seen.
 _SET = re.compile(r' (?:d|cx|cy)="[^"]*"')
+#: Elements of lines in one piece: other than a path, they are not styled anew when they move.
+_LINES = {"l": "polyline", "a": "polygon"}
 #: What tells a letter from the same one in another view.
 _AGAIN = re.compile(r" \d+$")
 #: Of the signs in a scale bar's number, and of the bar itself, in page units.
@@ -276,6 +278,8 @@ def _layer(items: Iterable[Item], inker: Inker, outputs: Outputs, moves: list[li
         motion, element = _inked(mark, inker, outputs)
         if motion and element:
             moves.append(motion)
+            if motion[0] in _LINES and len(motion) == 2:
+                element = element.replace("<path", f"<{_LINES[motion[0]]}")
             element = (
                 f"<g data-m>{element}</g>"
                 if element.count("<") > 1

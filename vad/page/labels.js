@@ -16,7 +16,10 @@ function labels(texts, data, out, counts) {
 
   const all = data.labels.map(([half, dot, wide, high, at, near, way, apart, value], number) => {
     const text = texts[number].querySelector("text"), base = +text.getAttribute("y") / unit - top;
-    if (value !== undefined) for (const [name, is] of [["text-anchor", "middle"], ["x", -data.page[1] * unit]]) text.setAttribute(name, is);
+    if (value !== undefined) {
+      for (const [name, is] of [["text-anchor", "middle"], ["x", -data.page[1] * unit]]) text.setAttribute(name, is);
+      text.replaceChildren(document.createTextNode(""));
+    }
     return { number, half, dot, wide, high, at, gaps: data.nears[near][0], leader: data.nears[near][1], way,
       apart, value, base, text, shell: texts[number], column: data.halves[half][0], seen: false, shown: "" };
   });

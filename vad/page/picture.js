@@ -30,8 +30,8 @@ function picture(root, solve, data) {
 
   // The text of an attribute, or of two; none where a number does not exist.
   const kinds = {
-    l: (parts) => line(parts, ""),
-    a: (parts) => line(parts, "Z"),
+    l: (parts) => parts.length > 1 ? line(parts, "") : points(parts[0]),
+    a: (parts) => parts.length > 1 ? line(parts, "Z") : points(parts[0]),
     c: ([at]) => pair(x(at[0]), y(at[1])),
     b: ([[u, v, radius, start, sweep, ...squeezed]]) => bow(x(u), y(v), out[radius] * unit, out[start], out[sweep],
       ...squeezed.map((place) => out[place])),
@@ -41,6 +41,17 @@ function picture(root, solve, data) {
     c: (element, text) => text.split(" ").forEach((each, n) => element.setAttribute(n ? "cy" : "cx", each)),
     t: (element, text) => element.setAttribute("transform", `translate(${text})`),
   };
+  const path = (element, text) => element.setAttribute(element.localName === "path" ? "d" : "points", text);
+
+  function points(places) {
+    let text = "";
+    for (let i = 0; i < places.length; i += 2) {
+      const u = x(places[i]), v = y(places[i + 1]);
+      if (u - u !== 0 || v - v !== 0) return "";
+      text += `${i ? " " : ""}${round(u)} ${round(v)}`;
+    }
+    return text;
+  }
 
   const pair = (u, v) => u - u === 0 && v - v === 0 ? `${round(u)} ${round(v)}` : "";
 
@@ -93,21 +104,24 @@ function picture(root, solve, data) {
       }
       before[i] = text;
     });
-    moving = names.place(still) || (moving && !still);
     write();
-    if (root.dataset.hidden !== `${names.hidden}`) root.dataset.hidden = names.hidden;
-    if (moving) frame = requestAnimationFrame(() => {
+    lettered(still, moving && !still && (() => {
       paint(given);
       for (const listener of listeners) listener();
-    });
+    }));
+  }
+
+  // Places the labels. What is to follow comes in the next frame; without it labels may glide on alone.
+  function lettered(still, next) {
+    const gliding = names.place(still);
+    if (root.dataset.hidden !== `${names.hidden}`) root.dataset.hidden = names.hidden;
+    if (next || gliding) frame = requestAnimationFrame(next || (() => lettered(calm.matches)));
   }
 
   function find(given) {
     solve(...given, ...state.slice(given.length), out, 2);
     data.own.forEach((place, i) => (out[place] = state[i]));
   }
-
-  const path = (element, text) => element.setAttribute("d", text);
 
   // What is measured.
   const tables = [...root.querySelectorAll(".results tbody tr")].map((row) =>
@@ -138,7 +152,7 @@ function picture(root, solve, data) {
     for (const { text, value } of names.all)
       if (value !== undefined) {
         const says = written(out[value], "°", false, data.point);
-        if (text.textContent !== says) text.textContent = says;
+        if (text.firstChild.data !== says) text.firstChild.data = says;
       }
   }
 

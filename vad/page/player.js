@@ -11,6 +11,20 @@ const smooth = (t) => t * t * (3 - 2 * t);
 const ray = (degrees) => [Math.cos(degrees * Math.PI / 180), Math.sin(degrees * Math.PI / 180)];
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
+// Called again and again, it lets something be done once, when no call has come for some milliseconds.
+function rested(what, span) {
+  let due = 0, timer = 0;
+  const ring = () => {
+    const left = due - performance.now();
+    timer = left > 1 ? setTimeout(ring, left) : 0;
+    if (!timer) what();
+  };
+  return () => {
+    due = performance.now() + span;
+    timer ||= setTimeout(ring, span);
+  };
+}
+
 // The numbers at a share: linear between knots, constant beyond them.
 function between(knots, share) {
   const next = knots.findIndex((knot) => knot[0] > share);
@@ -359,6 +373,13 @@ export function mount(root, data, { address = true } = {}) {
   unfold(wide.matches && rail !== one(".steps"));
   const own = one(".control"), sized = new ResizeObserver(() => root.style.setProperty("--dock", `${own.offsetHeight}px`));
   sized.observe(own);
+  // How wide the board is, by a line in it that has no height, which no size within the board moves.
+  const ruler = one(".board").appendChild(document.createElement("div"));
+  ruler.className = "ruler";
+  const measured = new ResizeObserver(() => root.style.setProperty("--wide", `${ruler.offsetWidth}px`));
+  measured.observe(ruler);
+  root.style.setProperty("--wide", `${ruler.offsetWidth}px`);
+  root.classList.add("sized");
   on(wide, "change", () => unfold(wide.matches && rail !== one(".steps")));
   one("[data-do=full]").hidden = !document.fullscreenEnabled;
   one("[data-do=theme]").hidden = !root.dataset.themes?.includes(" ");
@@ -372,7 +393,7 @@ export function mount(root, data, { address = true } = {}) {
     strokes,
     // Whether all of a panel is drawn.
     whole: (panel) => x >= lesson.first[panel] + length(panel),
-    dispose: () => { stop(); sized.disconnect(); over.abort(); },
+    dispose: () => { stop(); sized.disconnect(); measured.disconnect(); root.classList.remove("sized"); over.abort(); },
     get x() { return x; },
   };
 }

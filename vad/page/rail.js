@@ -37,9 +37,14 @@ function railed(root, body, dock) {
     for (const each of [slider, box]) each.setAttribute("aria-label", `${label.textContent}${unit && ", "}${unit}`);
     slider.style.setProperty("--notch", clamp((start - low) / (high - low), 0, 1));
     const made = element("div", { className: "size" }, label, box, element("span", { className: "unit", textContent: unit }), slider);
+    // Most of a mechanism's numbers stay while its driver moves.
+    let shown = "";
     const show = () => {
+      const typing = document.activeElement === box, says = written(tidy(state[index], step)), now = `${state[index]} ${typing ? box.value : says}`;
+      if (now === shown) return;
+      shown = now;
       slider.value = state[index];
-      if (document.activeElement !== box) box.value = written(tidy(state[index], step));
+      if (!typing) box.value = says;
       slider.setAttribute("aria-valuetext", `${box.value} ${unit}`);
     };
     const change = (value) => {

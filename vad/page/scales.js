@@ -5,7 +5,7 @@
 // scales(root, data, out, state) -> {choose, steady}. choose(calm) moves all scales, which are
 // inputs in the state, a step on their way, and tells whether any is still on it.
 
-const SMALLER = 1 / 3, SHARE = 0.35, THERE = 1e-3, NO_SIZE = 1e-9;
+const SMALLER = 1 / 3, SHARE = 0.5, THERE = 2e-3, NO_SIZE = 1e-9;
 
 function scales(root, data, out, state) {
   const svgs = [...root.querySelectorAll(".drawing svg")], tops = [...root.querySelectorAll(".panel .top")];
@@ -16,7 +16,7 @@ function scales(root, data, out, state) {
     if (!below && bar) {
       made.top = document.createElement("p");
       made.top.className = "scale hand";
-      made.top.innerHTML = '<span class="bar"></span><span></span>';
+      made.top.innerHTML = '<span class="bar"></span><span> </span>';
       tops[data.halves[half][0]].append(made.top);
     }
     made.to = made.now;
@@ -101,10 +101,10 @@ function scales(root, data, out, state) {
         const [x, y] = polygon.bar.at, u = (x - left) * unit, v = (top - y - data.signs.rise) * unit, tick = data.signs.tick * unit;
         line.setAttribute("d", `M${u} ${v - tick}v${2 * tick}m0 ${-tick}h${long}m0 ${-tick}v${2 * tick}`);
         text.setAttribute("x", u + long + data.signs.gap * unit);
-        text.textContent = words;
+        if (text.textContent !== words) text.textContent = words;
       } else {
         polygon.top.firstChild.style.setProperty("--n", long.toFixed(2));
-        polygon.top.lastChild.textContent = words;
+        polygon.top.lastChild.firstChild.data = words;
       }
     }
   }
