@@ -62,6 +62,26 @@ def test_a_regular_expression_after_a_space_keeps_its_words() -> None:
     assert "/^#step=/" in short and short.count("step") == 1
 
 
+@pytest.mark.parametrize(
+    ("script", "unknown"),
+    [
+        ("const a = fech(3);", "fech"),
+        ("const f = (x, { y: z, w = 3 }) => x + z + w; f(high);", "high"),
+        ("for (const each of [1, 2]) text(`${each} ${more}`);", "more, text"),
+        ("try { go(); } catch (fault) { fault.name; } function go() { went = 1; }", "went"),
+    ],
+)
+def test_a_name_that_nothing_declares_is_refused(script: str, unknown: str) -> None:
+    with pytest.raises(ValueError, match=f"known of browsers: {unknown}$"):
+        shorter_script(script)
+
+
+def test_names_in_patterns_methods_and_handlers_are_declared() -> None:
+    shorter_script("let [u, v] = [1, 2]; for (const k of u) v(k);")
+    shorter_script("const all = { met(a) { return a; }, get here() { return /^a$/.test(all); } };")
+    shorter_script("const [[one], { two, three: four = 4 }] = [], five = one + two + four;")
+
+
 @pytest.mark.parametrize("text", ["", "a", "ä²′" * 1000, "".join(map(str, range(5000)))])
 @pytest.mark.parametrize("level", [0, 1, 9])
 def test_what_is_packed_is_unpacked(page: Page, text: str, level: int) -> None:

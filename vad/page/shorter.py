@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import count, product
 from string import ascii_letters
 
 _TOKEN = re.compile(
-    r"""(?P<pattern>(?<=[(=:,!&|?\[])\s*/(?!\*)(?:\\.|\[(?:\\.|[^\]\\])*\]|[^/\\\n\[])+/[a-z]*)
+    r"""(?P<pattern>(?:(?<=[(=:,!&|?\[>])|(?<=return))\s*/(?!\*)(?:\\.|\[(?:\\.|[^\]\\])*\]|[^/\\\n\[])+/[a-z]*)
     |(?P<gap>(?:\s|//[^\n]*|/\*.*?\*/)+)
     |(?P<text>"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')
     |(?P<template>`(?:\\.|\$\{(?:[^{}`]|\{[^{}`]*\}|`(?:\\.|\$\{[^{}`]*\}|[^`\\])*`)*\}|[^`\\])*`)
@@ -35,8 +35,8 @@ _KEYWORDS = frozenset(
 _GLOBALS = frozenset(
     re.findall(
         r"\w+",
-        """AbortController Array Boolean CustomEvent DOMPoint Float64Array Infinity Int32Array JSON
-        Map Math NaN Number
+        """AbortController Array Boolean CustomEvent DOMPoint Error Float64Array Infinity
+        Int32Array JSON Map Math NaN Number
         Object Promise ResizeObserver Set String TextDecoder URLSearchParams Uint8Array
         addEventListener atob
         cancelAnimationFrame clearTimeout console document encodeURIComponent
@@ -46,6 +46,9 @@ _GLOBALS = frozenset(
         window""",
     )
 )
+_OPENING, _CLOSING = frozenset("([{"), frozenset(")]}")
+#: What stands before round brackets that hold no parameters, though braces follow.
+_STATEMENTS = frozenset(("if", "for", "while", "switch"))
 _GAP = re.compile(r"\$\{((?:[^{}`]|\{[^{}`]*\}|`(?:\\.|\$\{[^{}`]*\}|[^`\\])*`)*)\}")
 _Token = tuple[str, str]
 
@@ -68,6 +71,12 @@ def shorter_script(text: str, kept: Iterable[str] = ()) -> str:
     r"""Return a script without its comments and needless spaces, with short names of variables.
 
     The names in ``kept`` stay.
+
+    Raises
+    ------
+    ValueError
+        For a name that the script does not declare and that browsers are not known to give: it
+        would be taken for a variable of the script, and renamed.
 
     Examples
     --------
@@ -121,7 +130,7 @@ def _is_member(last: str) -> bool:
 def _renamed(text: str, kept: Iterable[str]) -> dict[str, str]:
     """Return a short name for each variable that is nowhere the name of a property, too."""
     tokens = [each for each in _flat(text) if each[0] != "gap"]
-    taken, uses = {*_KEYWORDS, *kept}, Counter[str]()
+    taken, uses, free = {*_KEYWORDS, *kept}, Counter[str](), set[str]()
     for number, (kind, name) in enumerate(tokens):
         if kind != "name":
             continue
@@ -130,11 +139,48 @@ def _renamed(text: str, kept: Iterable[str]) -> dict[str, str]:
         uses[name] += 1
         if _is_member(before) or after == ":" or (before in ("{", ",") and after in (",", "}")):
             taken.add(name)
+        if not _is_member(before) and after != ":":
+            free.add(name)
+    unknown = free - _declared(tokens) - _KEYWORDS - _GLOBALS - {*kept}
+    if unknown:
+        raise ValueError(f"neither declared nor known of browsers: {', '.join(sorted(unknown))}")
     declared = {name for name in uses if len(name) > 2} - taken - _GLOBALS
     others = (uses.keys() | taken) - declared
     short = (name for name in _short_names() if name not in others)
     wanted = sorted(declared, key=lambda name: (-uses[name], name))
     return dict(zip(wanted, short, strict=False))
+
+
+def _declared(tokens: Sequence[_Token]) -> set[str]:
+    """Return all names that a script declares: of variables, functions and their parameters."""
+    found, open_, texts = set[str](), list[int](), [text for _, text in tokens] + [""]
+    for number, (kind, text) in enumerate(tokens):
+        if text in _OPENING:
+            open_.append(number)
+        elif text in _CLOSING:
+            begin = open_.pop()
+            head = texts[begin - 1] if begin else ""
+            if text == ")" and texts[number + 1] in ("{", "=>") and head not in _STATEMENTS:
+                found |= {head, *texts[begin:number]}
+        elif kind == "name" and texts[number + 1] == "=>":
+            found.add(text)
+        if text in ("const", "let"):
+            found.update(_bound(texts, number + 1))
+    return found
+
+
+def _bound(texts: Sequence[str], begin: int) -> Iterator[str]:
+    """Yield the names before each value of the declaration that begins with this part."""
+    depth, named = 0, True
+    for number in range(begin, len(texts)):
+        text = texts[number]
+        depth += (text in _OPENING) - (text in _CLOSING)
+        if depth < 0 or (depth == 0 and text in (";", "of", "in")):
+            return
+        if depth == 0 and text in ("=", ","):
+            named = text == ","
+        if named:
+            yield text
 
 
 def _flat(text: str) -> Iterator[_Token]:
