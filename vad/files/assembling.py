@@ -146,9 +146,12 @@ class _Assembling:
             motion.pose  # noqa: B018  # raises where the links do not close
         except OpenLoopError as gap:
             miss = f"{gap.miss * solver.frame.scale:.4g} {self.description.unit}"
-            message = f"with these lengths {dyad.point} cannot be reached at the driver's place"
+            message = (
+                f"with these lengths {dyad.point} cannot be reached at the driver's place: "
+                f"it misses by {miss}"
+            )
             hint = self._other_way(count, sides)
-            raise UnplacedError(dyad.point, f"{message}: it misses by {miss}", hint) from None
+            raise UnplacedError(dyad.point, message, hint) from None
         return {
             point: complex(solver.evaluate(("point", point, "position"), motion))
             for point in dyad.points

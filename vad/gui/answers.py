@@ -28,6 +28,7 @@ from vad.gui.messages import (
     Question,
     Scales,
 )
+from vad.gui.sheet_file import sheet_file
 from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
@@ -381,8 +382,8 @@ def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
     """Return the bytes of a file, and what it is called.
 
     Its kind is an extension; or "turn", the page of a whole turn, or "problem", a problem sheet, in
-    which the polygons are left to be drawn; or "toml", the file of a mechanism that has one, with
-    the numbers that are set.
+    which the polygons are left to be drawn; or "toml", the file of the mechanism with the
+    numbers that are set: its own, or else one of a sheet.
 
     Raises
     ------
@@ -391,7 +392,7 @@ def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
     """
     motion, burden = question.solved()
     if extension == "toml":
-        return _file_of(motion)
+        return _file_of(motion, burden)
     pose, panels = with_forces(motion, burden), _panels(question, motion, burden)
     sheet = vad.draw(pose, panels, question.language)
     name = motion.mechanism.name + _ENDS.get(extension, f".{extension}")
@@ -413,11 +414,14 @@ def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
         return path.read_bytes(), name
 
 
-def _file_of(motion: Motion) -> tuple[bytes, str]:
+def _file_of(motion: Motion, burden: Burden | None) -> tuple[bytes, str]:
     """Return the file of a mechanism with its numbers, and what it is called."""
     mechanism = motion.mechanism
     if not isinstance(mechanism, WrittenMechanism):
-        raise UsageError(f"{mechanism.name}: is from no file", "vad example four-bar prints one")
+        if burden is not None:
+            hint = "name them on the command line, as in --load"
+            raise UsageError("loads: are not kept in the file of a sheet", hint)
+        return sheet_file(motion).encode(), mechanism.name + EXTENSION
     inputs = {name: float(value) for name, value in motion.inputs.items()}
     return rewritten(mechanism, inputs).encode(), mechanism.name + EXTENSION
 

@@ -46,10 +46,15 @@ async function opened(file) {
   const answer = await asked("entry", { mechanism: file.name, text: await file.text(), language: start.language });
   if (answer.error) return complain(answer.error);
   catalogue[answer.mechanism] = answer.entry;
+  standing &&= { ...standing, mechanism: null };
+  if (answer.given) {
+    const { assembly, ...given } = answer.given;
+    choose(answer.mechanism, { ...given, places: { "": assembly } });
+    return want(true);
+  }
   const list = find("#mechanism optgroup");
   if (![...find("#mechanism").options].some((each) => each.value === answer.mechanism)) list.append(element("option", { value: answer.mechanism }));
   [...find("#mechanism").options].find((each) => each.value === answer.mechanism).textContent = answer.entry.title;
-  standing &&= { ...standing, mechanism: null };
   choose(answer.mechanism);
   want(true);
 }

@@ -19,6 +19,8 @@ from vad.units import DIMENSIONS
 from vad.words import Language, all_languages
 
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
+#: Where something stands in a file, and what it is about there.
+_LINE, _NAME = re.compile(r".+, line \d+"), re.compile(r"[\w.\[\]]+")
 
 
 def label(field: Field[Any], say: Language) -> str:
@@ -46,13 +48,16 @@ def translated(sentence: str, names: Mapping[str, str], say: Language) -> str:
     'Pleuel: muss positiv sein, nicht -4,5'
     """
     name, colon, rest = sentence.partition(": ")
-    if colon and name in names:
-        return f"{names[name]}: {translated(rest, names, say)}"
+    if colon and (name in names or _LINE.fullmatch(name)):
+        place = names.get(name) or translated(name, names, say)
+        return f"{place}: {translated(rest, names, say)}"
     for english, said in say.page("ERRORS").items():
         found = _pattern(english).fullmatch(sentence)
         if found:
             gaps = {gap: _gap(text, names, say) for gap, text in found.groupdict().items()}
             return said.format(**gaps)
+    if colon and _NAME.fullmatch(name):
+        return f"{name}: {translated(rest, names, say)}"
     return sentence
 
 

@@ -7,14 +7,13 @@ function choose(mechanism, given = {}) {
     [point, (choices.find(([name]) => name === given.places?.[point]) ?? choices[0])[0]]));
   const own = mechanism === start.mechanism; // points, loads and some panels are those of one mechanism
   set = { mechanism, parameters: values(parameters), inputs: values(inputs), places, length_unit: given.unit ?? unit,
-    points: own ? structuredClone(start.points) : {}, burden: own ? start.burden : {},
+    points: given.points ?? (own ? structuredClone(start.points) : {}), burden: own ? start.burden : {},
     panels: own ? start.panels : start.panels.filter((name) => usual.includes(name)) };
   step = given.step ?? null;
   find("#mechanism").value = mechanism;
   fields.clear();
   find("#parameters").replaceChildren(...parameters.map(row));
   find("#inputs").replaceChildren(...inputs.map(row));
-  find("[data-save=toml]").hidden = !entry().file;
   find("#assemblies").hidden = !assemblies.length;
   find("#places").replaceChildren(...assemblies.map(choice));
   spare();

@@ -21,6 +21,7 @@ from vad.files.loading import WrittenMechanism
 from vad.gui.answers import MEDIA
 from vad.gui.messages import EntryQuestion, ExportQuestion
 from vad.gui.said import label
+from vad.gui.sheet_file import sheet_in, sheet_of
 from vad.gui.shelf import Shelf
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
@@ -124,15 +125,23 @@ def _file(name: str) -> str:
 def listed(question: EntryQuestion) -> dict[str, Any]:
     """Return the name of a mechanism, and what can be set of it: its ``entry``.
 
+    Of a file of a sheet there are its numbers, too, ``given``; see `vad.gui.sheet_file.sheet_of`.
+
     Raises
     ------
     vad.errors.VadError
         For a mechanism that there is not, and for a file that describes none.
     """
+    name, given = question.mechanism, dict[str, Any]()
     if question.text and isinstance(question.kinds, Shelf):
-        question.kinds.open(question.mechanism, question.text)
-    name = one_of("mechanism", question.mechanism, question.kinds)
-    return {"mechanism": name, "entry": entry(question.kinds[name], question.language)}
+        sheet = sheet_in(question.text, name)
+        if sheet:
+            name, given = sheet_of(sheet, question.kinds)
+        else:
+            question.kinds.open(name, question.text)
+    name = one_of("mechanism", name, question.kinds)
+    found = {"mechanism": name, "entry": entry(question.kinds[name], question.language)}
+    return {**found, "given": given} if given else found
 
 
 def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
@@ -141,7 +150,7 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        ``title``; ``name`` of its files, and whether a ``file`` describes it; ``unit`` of lengths;
+        ``title``; ``name`` of its files; ``unit`` of lengths;
         ``parameters`` and ``inputs`` with name, label, unit, default (null where there is none),
         the ends of the slider and its step;
         ``assemblies``, for each point that is placed (or for "", where there is one choice for the
@@ -157,7 +166,6 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
     return {
         "title": say.name(kind.title),
         "name": kind.name,
-        "file": issubclass(kind, WrittenMechanism),
         "unit": unit,
         "parameters": [
             _box(each.name, label(each, say), each.metadata["quantity"], unit, each.default)

@@ -1239,6 +1239,44 @@ ERRORS = {
     "a fault of the program; the terminal shows where": (
         "ein Fehler im Programm; das Terminal zeigt, wo"
     ),
+    "{file}, line {line}": "{file}, Zeile {line}",
+    "did you mean {names}?": "ist {names} gemeint?",
+    "known: {names}": "bekannt: {names}",
+    "as in {example}": "wie in {example}",
+    "must be a number, got {value}": "muss eine Zahl sein, nicht {value}",
+    "must be one number to be opened here, got {value}": (
+        "muss hier eine einzige Zahl sein, nicht {value}"
+    ),
+    "must be one word": "muss ein einziges Wort sein",
+    "must be a table": "muss eine Tabelle sein",
+    "must be a line, got {value}": "muss eine Gerade sein, nicht {value}",
+    "must say how it moves": "muss sagen, wie es sich bewegt",
+    "must be distances of its points, got {value}": (
+        "muss Abstände seiner Punkte haben, nicht {value}"
+    ),
+    "there is no link": "es gibt kein Glied",
+    "there is no fixed point": "es gibt keinen festen Punkt",
+    "there are two numbers of this name": "zwei Zahlen haben diesen Namen",
+    "has no {word}": "hat kein {word}",
+    "has no line": "hat keine Gerade",
+    "has one place only": "hat nur eine Lage",
+    "needs a distance": "braucht einen Abstand",
+    "cannot read {text}": "{text} ist nicht zu lesen",
+    "is a fixed point already": "ist schon ein fester Punkt",
+    "is pinned to the frame at {points}, so it cannot move": (
+        "ist bei {points} am Gestell befestigt und kann sich nicht bewegen"
+    ),
+    "slides, but no link has this point": "gleitet, aber kein Glied hat diesen Punkt",
+    "drives nothing else": "treibt nichts anderes an",
+    "hangs on points that stand still": "hängt an Punkten, die stillstehen",
+    "loads: are not kept in the file of a sheet": "Lasten stehen nicht in der Datei eines Blatts",
+    "name them on the command line, as in --load": "nenne sie auf der Befehlszeile wie mit --load",
+    "unknown {what} {name}": "{name} ist unbekannt",
+    "{verb} no point with the rest": "kein Punkt ist mit den anderen gemeinsam",
+    "with these lengths {point} cannot be reached at the driver's place: it misses by {miss}": (
+        "mit diesen Längen ist {point} bei dieser Lage des Antriebs nicht zu erreichen: "
+        "es fehlen {miss}"
+    ),
 }
 
 #: Womit die Lösungen eines Entwurfs beschrieben werden.

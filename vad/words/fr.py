@@ -1243,6 +1243,46 @@ ERRORS = {
     "a fault of the program; the terminal shows where": (
         "une erreur du programme ; le terminal montre où"
     ),
+    "{file}, line {line}": "{file}, ligne {line}",
+    "did you mean {names}?": "est-ce {names} ?",
+    "known: {names}": "connus : {names}",
+    "as in {example}": "comme dans {example}",
+    "must be a number, got {value}": "doit être un nombre, pas {value}",
+    "must be one number to be opened here, got {value}": (
+        "doit être ici un seul nombre, pas {value}"
+    ),
+    "must be one word": "doit être un seul mot",
+    "must be a table": "doit être un tableau",
+    "must be a line, got {value}": "doit être une droite, pas {value}",
+    "must say how it moves": "doit dire comment il se meut",
+    "must be distances of its points, got {value}": (
+        "doit avoir les distances de ses points, pas {value}"
+    ),
+    "there is no link": "il n’y a aucune pièce",
+    "there is no fixed point": "il n’y a aucun point fixe",
+    "there are two numbers of this name": "deux nombres portent ce nom",
+    "has no {word}": "n’a pas de {word}",
+    "has no line": "n’a pas de droite",
+    "has one place only": "n’a qu’une position",
+    "needs a distance": "a besoin d’une distance",
+    "cannot read {text}": "{text} est illisible",
+    "is a fixed point already": "est déjà un point fixe",
+    "is pinned to the frame at {points}, so it cannot move": (
+        "est fixé au bâti en {points} et ne peut pas bouger"
+    ),
+    "slides, but no link has this point": "glisse, mais aucune pièce n’a ce point",
+    "drives nothing else": "n’entraîne rien d’autre",
+    "hangs on points that stand still": "tient à des points immobiles",
+    "loads: are not kept in the file of a sheet": (
+        "les charges ne sont pas gardées dans le fichier d’une feuille"
+    ),
+    "name them on the command line, as in --load": "nommez-les dans la commande, comme avec --load",
+    "unknown {what} {name}": "{name} est inconnu",
+    "{verb} no point with the rest": "aucun point commun avec le reste",
+    "with these lengths {point} cannot be reached at the driver's place: it misses by {miss}": (
+        "avec ces longueurs, {point} est hors d’atteinte à cette position de la pièce menante : "
+        "il manque {miss}"
+    ),
 }
 
 #: Ce qui décrit les solutions d'une synthèse.
