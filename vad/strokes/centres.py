@@ -33,8 +33,7 @@ if TYPE_CHECKING:
 
 #: A centre is shown that is no farther from the mechanism than this share of its size; the arrow to
 #: one that is ends at the other share.  With more than four bodies centres are many, and nearer.
-BEYOND, EDGE = 0.9, 0.45
-BEYOND_OF_MANY, EDGE_OF_MANY = 0.35, 0.25
+REACH, REACH_OF_MANY = (0.9, 0.45), (0.35, 0.25)
 #: The centre of centrodes is shown within this share of the mechanism's size, in all its poses; its
 #: curves go on as far as the page has room.
 ROLLING, ROLLED = 0.4, 3.0
@@ -171,8 +170,7 @@ class _Drawn:
 
     def way(self, pair: Pair) -> complex:
         """Return the direction in which a centre lies far away."""
-        way: complex = ray(self.centres.far(*pair))
-        return way
+        return complex(ray(self.centres.far(*pair)))
 
     # --- where they are drawn -----------------------------------------------------------------
 
@@ -198,8 +196,7 @@ class _Drawn:
     @cached_property
     def reach(self) -> tuple[float, float]:
         """How far a centre may be that is shown, and the end of the arrow to one that is not."""
-        many = len(self.kennedy.names) > 4
-        return (BEYOND_OF_MANY, EDGE_OF_MANY) if many else (BEYOND, EDGE)
+        return REACH_OF_MANY if len(self.kennedy.names) > 4 else REACH
 
     def _holds(self, z: complex, beyond: float) -> bool:
         low, high = self.box(beyond)
