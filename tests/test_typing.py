@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 import vad
 
+assert_type(vad.FourBar(crank="4 cm", ground_angle="10 deg").crank, float)
 crank = vad.SliderCrank(60, rod=140.0, length_unit="cm")
 assert_type(crank.offset, float)
 shaper = vad.CrankSlottedLever(rod=120, ram_height=140, ground_angle=-90, assembly="crossed")
@@ -93,7 +94,9 @@ vad.solve(vad.FourBar(), angel=3)  # call-overload: did you mean "angle"; call-o
 vad.solve(vad.FourBar(), angle=3j)  # call-overload: "complex"
 vad.solve(vad.FourBar(), position=4)  # call-overload: "FourBar", "int"
 vad.FourBar(crnk=4)  # call-arg: did you mean "crank"
-vad.FourBar(crank="4")  # arg-type: "float"
+vad.solve(vad.DoubleSlider(), angle=4)  # call-overload: "DoubleSlider", "int"
+vad.FourBar(crank=[4])  # arg-type: "float | str"
+vad.Whitworth(rod=[4])  # arg-type: "float | str | None"
 vad.FourBar(100, 40, 120, 80, 0)  # call-arg: Too many; arg-type: "str"
 vad.FourBar().crank = 3.0  # misc: read-only
 motion = vad.solve(vad.FourBar(), angle=60)

@@ -7,7 +7,18 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypedDict, Unpack, overload
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    ClassVar,
+    Generic,
+    Literal,
+    NamedTuple,
+    Protocol,
+    TypedDict,
+    Unpack,
+    overload,
+)
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +37,11 @@ if TYPE_CHECKING:
     from vad.files.loading import WrittenMechanism
     from vad.mechanisms.mechanism import DrivenBySlide, Mechanism, MechanismInSpace
 
+    class DrivenByLink(Protocol):
+        """A mechanism of which no type says that a slide drives it."""
+
+        driven: ClassVar[Literal["link"]]
+
 
 @overload
 def solve(mechanism: MechanismInSpace, **inputs: Unpack[Crank]) -> MotionInSpace: ...
@@ -34,11 +50,9 @@ def solve(  # type: ignore[overload-overlap]
     mechanism: WrittenMechanism, **inputs: Unpack[CrankOrSlide]
 ) -> Motion: ...
 @overload
-def solve(  # type: ignore[overload-overlap]
-    mechanism: DrivenBySlide, **inputs: Unpack[Slide]
-) -> Motion: ...
+def solve(mechanism: DrivenBySlide, **inputs: Unpack[Slide]) -> Motion: ...
 @overload
-def solve(mechanism: Mechanism, **inputs: Unpack[Crank]) -> Motion: ...
+def solve(mechanism: DrivenByLink, **inputs: Unpack[Crank]) -> Motion: ...
 @overload
 def solve(mechanism: MechanismInSpace, **inputs: Unpack[Cranks]) -> MotionsInSpace: ...
 @overload
@@ -46,8 +60,8 @@ def solve(mechanism: WrittenMechanism, **inputs: Unpack[CranksOrSlides]) -> Moti
 @overload
 def solve(mechanism: DrivenBySlide, **inputs: Unpack[Slides]) -> Motions: ...
 @overload
-def solve(mechanism: Mechanism, **inputs: Unpack[Cranks]) -> Motions: ...
-def solve(mechanism: Mechanism, **inputs: Any) -> Motion[Any, Any, Any]:
+def solve(mechanism: DrivenByLink, **inputs: Unpack[Cranks]) -> Motions: ...
+def solve(mechanism: Any, **inputs: Any) -> Motion[Any, Any, Any]:
     """Solve one pose, or one for each element of the inputs' broadcast shape.
 
     Nothing is computed yet: positions, velocities and accelerations are found when they are

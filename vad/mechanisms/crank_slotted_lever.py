@@ -4,7 +4,7 @@ from dataclasses import KW_ONLY, dataclass
 
 from vad.errors import InputError
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
-from vad.mechanisms.mechanism import Mechanism, angle, length
+from vad.mechanisms.mechanism import Dimension, Mechanism, OptionalDimension, angle, length
 
 _HINT = "as in --rod 100 --ram-height 180"
 
@@ -23,13 +23,13 @@ class CrankSlottedLever(Mechanism):
     links = {"crank": "AB", "lever": "DC", "rod": "CE"}
     slides = {"block": "B", "ram": "E"}
 
-    ground: float = length(120.0, "distance AD of the pivots")
-    crank: float = length(50.0, "length of AB")
-    lever: float = length(250.0, "length of DC")
-    rod: float | None = length(None, "length of CE, with a ram")
-    ram_height: float | None = length(None, "height of the ram's line above A", signed=True)
+    ground: Dimension = length(120.0, "distance AD of the pivots")
+    crank: Dimension = length(50.0, "length of AB")
+    lever: Dimension = length(250.0, "length of DC")
+    rod: OptionalDimension = length(None, "length of CE, with a ram")
+    ram_height: OptionalDimension = length(None, "height of the ram's line above A", signed=True)
     _: KW_ONLY
-    ground_angle: float = angle(-90.0, "direction of AD")
+    ground_angle: Dimension = angle(-90.0, "direction of AD")
 
     def linkage(self) -> Linkage:
         """Return the loops; the tip C lies on the side of Q."""

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from vad.errors import InputError
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of, parallel
-from vad.mechanisms.mechanism import DrivenBySlide, angle, length
+from vad.mechanisms.mechanism import Dimension, DrivenBySlide, angle, length
 
 
 @dataclass(frozen=True)
@@ -21,9 +21,9 @@ class DoubleSlider(DrivenBySlide):
     slides = {"slider_a": "A", "slider_b": "B"}
     inputs = {"position": 500.0, "velocity": 2000.0, "acceleration": 1000.0}
 
-    link: float = length(1000.0, "length of AB")
-    guide_a: float = angle(0.0, "direction of A's guide")
-    guide_b: float = angle(90.0, "direction of B's guide")
+    link: Dimension = length(1000.0, "length of AB")
+    guide_a: Dimension = angle(0.0, "direction of A's guide")
+    guide_b: Dimension = angle(90.0, "direction of B's guide")
 
     def linkage(self) -> Linkage:
         """OA + AB = OB."""

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
-from vad.mechanisms.mechanism import Mechanism, length
+from vad.mechanisms.mechanism import Dimension, Mechanism, length
 
 
 @dataclass(frozen=True)
@@ -19,8 +19,8 @@ class EllipticalTrammel(Mechanism):
     links = {"link": "AB"}
     slides = {"slider_a": "A", "slider_b": "B"}
 
-    link: float = length(200.0, "length of AB")
-    tracer: float = length(80.0, "distance of P from A towards B", signed=True)
+    link: Dimension = length(200.0, "length of AB")
+    tracer: Dimension = length(80.0, "distance of P from A towards B", signed=True)
 
     def linkage(self) -> Linkage:
         """OA + AB = OB; the polygon begins at a, and the pole o is where its lines cross."""

@@ -4,7 +4,7 @@ from dataclasses import KW_ONLY, dataclass
 
 from vad.errors import InputError
 from vad.kinematics.linkage import Bar, Linkage, Loop, angle_of
-from vad.mechanisms.mechanism import Mechanism, angle, length, way
+from vad.mechanisms.mechanism import Dimension, Mechanism, angle, length, way
 
 
 @dataclass(frozen=True)
@@ -20,12 +20,12 @@ class FourBar(Mechanism):
     letters = "ABCD"
     links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
 
-    ground: float = length(100.0, "distance AD of the pivots")
-    crank: float = length(40.0, "length of AB")
-    coupler: float = length(120.0, "length of BC")
-    rocker: float = length(80.0, "length of DC")
+    ground: Dimension = length(100.0, "distance AD of the pivots")
+    crank: Dimension = length(40.0, "length of AB")
+    coupler: Dimension = length(120.0, "length of BC")
+    rocker: Dimension = length(80.0, "length of DC")
     _: KW_ONLY
-    ground_angle: float = angle(0.0, "direction of AD")
+    ground_angle: Dimension = angle(0.0, "direction of AD")
 
     assembly: str = way("open", "crossed", "parallel")
 

@@ -4,7 +4,7 @@ import math
 from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of
-from vad.mechanisms.mechanism import DrivenBySlide, angle, length, unit
+from vad.mechanisms.mechanism import Dimension, DrivenBySlide, angle, length, unit
 
 
 @dataclass(frozen=True)
@@ -22,10 +22,10 @@ class GateActuator(DrivenBySlide):
     slides = {"actuator": "B"}
     inputs = {"position": 3.8, "velocity": 1.0 / 17.0, "acceleration": 0.0}
 
-    ground: float = length(math.hypot(0.416, 0.546), "distance AD of the pivots")
-    arm: float = length(math.hypot(3.875, 0.3), "length of AB")
+    ground: Dimension = length(math.hypot(0.416, 0.546), "distance AD of the pivots")
+    arm: Dimension = length(math.hypot(3.875, 0.3), "length of AB")
     _: KW_ONLY
-    ground_angle: float = angle(math.degrees(math.atan2(0.546, -0.416)), "direction of AD")
+    ground_angle: Dimension = angle(math.degrees(math.atan2(0.546, -0.416)), "direction of AD")
     length_unit: str = unit("ft")
 
     def linkage(self) -> Linkage:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from vad.kinematics.space.linkages import CrossedShafts
-from vad.mechanisms.mechanism import MechanismInSpace, arc
+from vad.mechanisms.mechanism import Dimension, MechanismInSpace, arc
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class HookeJoint(MechanismInSpace):
     links = {"driving": "2", "cross": "3", "driven": "4"}
     joints = {"P": "cross against driving", "Q": "cross against driven"}
 
-    shaft_angle: float = arc(30.0, "angle between the shafts", "at 90° it locks", -90.0, 90.0)
+    shaft_angle: Dimension = arc(30.0, "angle between the shafts", "at 90° it locks", -90.0, 90.0)
 
     def linkage(self) -> CrossedShafts:
         """Both shafts, and the cross between them."""

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import KW_ONLY, dataclass, field, fields
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, Self
 
 from vad import gate
 from vad.errors import InputError, one_of, quoted
@@ -34,10 +34,24 @@ _OF_POINTS = ("distance", "angle")
 #: The mechanism classes that are loaded, by the name that the command line knows.
 LOADED: dict[str, type[Mechanism]] = {}
 
-Length = TypeVar("Length", float, None)
+if TYPE_CHECKING:
+
+    class Dimension:
+        """A field that is given as a number, or as a text with a unit, and is a number then."""
+
+        def __get__(self, instance: object, owner: Any) -> float: ...
+        def __set__(self, instance: object, value: float | str) -> None: ...
+
+    class OptionalDimension:
+        """The same, for one that may be missing."""
+
+        def __get__(self, instance: object, owner: Any) -> float | None: ...
+        def __set__(self, instance: object, value: float | str | None) -> None: ...
+else:
+    Dimension, OptionalDimension = float, float | None
 
 
-def length(default: Length, help: str, *, signed: bool = False) -> Length:
+def length(default: float | None, help: str, *, signed: bool = False) -> Any:
     """Declare a parameter that is a length; positive unless ``signed``, optional if None."""
     metadata = {
         "quantity": "length",
@@ -48,13 +62,13 @@ def length(default: Length, help: str, *, signed: bool = False) -> Length:
     return field(default=default, metadata=metadata)
 
 
-def angle(default: float, help: str) -> float:
+def angle(default: float, help: str) -> Any:
     """Declare a parameter that is an angle in degrees."""
     metadata = {"quantity": "angle", "help": help, "signed": True, "optional": False}
     return field(default=default, metadata=metadata)
 
 
-def arc(default: float, help: str, hint: str, low: float = 0.0, high: float = 180.0) -> float:
+def arc(default: float, help: str, hint: str, low: float = 0.0, high: float = 180.0) -> Any:
     """Declare an angle in degrees between axes, within ``low`` and ``high`` but neither of them.
 
     The ``hint`` says what it would be there.
@@ -130,6 +144,9 @@ class Mechanism:
     diagrams: ClassVar[tuple[str, ...]] = ()
     usual_diagrams: ClassVar[tuple[str, ...]] = ()
     turning_diagrams: ClassVar[tuple[str, ...]] = ()
+
+    if TYPE_CHECKING:
+        driven: ClassVar[Literal["link"]]  # tells type checkers which inputs there are
 
     _: KW_ONLY
     assembly: str = way("open", "crossed")
@@ -277,7 +294,10 @@ class Mechanism:
 
 @dataclass(frozen=True)
 class DrivenBySlide(Mechanism, listed=False):
-    """A mechanism whose driver is a slide: type checkers let its position be an input."""
+    """A mechanism whose driver is a slide: for type checkers its position is an input."""
+
+    if TYPE_CHECKING:
+        driven: ClassVar[Literal["slide"]]  # type: ignore[assignment]
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ import math
 from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.space.linkages import BallJointed
-from vad.mechanisms.mechanism import MechanismInSpace, angle, length
+from vad.mechanisms.mechanism import Dimension, MechanismInSpace, angle, length
 
 
 @dataclass(frozen=True)
@@ -22,14 +22,18 @@ class RSSR(MechanismInSpace):
     letters = "ABCD"
     links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
 
-    ground: float = length(0.0, "common normal of both axes", signed=True)
-    crank: float = length(200.0, "length of AB")
-    coupler: float = length(math.sqrt(750.0**2 + 850.0**2 + 450.0**2), "length of BC")
-    rocker: float = length(math.hypot(350.0, 650.0), "length of DC")
+    ground: Dimension = length(0.0, "common normal of both axes", signed=True)
+    crank: Dimension = length(200.0, "length of AB")
+    coupler: Dimension = length(math.sqrt(750.0**2 + 850.0**2 + 450.0**2), "length of BC")
+    rocker: Dimension = length(math.hypot(350.0, 650.0), "length of DC")
     _: KW_ONLY
-    ground_twist: float = angle(90.0, "angle of D's axis from A's, about the common normal")
-    crank_offset: float = length(400.0, "from the common normal to A, along A's axis", signed=True)
-    rocker_offset: float = length(850.0, "from the common normal to D, along D's axis", signed=True)
+    ground_twist: Dimension = angle(90.0, "angle of D's axis from A's, about the common normal")
+    crank_offset: Dimension = length(
+        400.0, "from the common normal to A, along A's axis", signed=True
+    )
+    rocker_offset: Dimension = length(
+        850.0, "from the common normal to D, along D's axis", signed=True
+    )
 
     def linkage(self) -> BallJointed:
         """AB + BC = AD + DC."""

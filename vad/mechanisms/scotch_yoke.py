@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
-from vad.mechanisms.mechanism import Mechanism, length
+from vad.mechanisms.mechanism import Dimension, Mechanism, length
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,7 @@ class ScotchYoke(Mechanism):
     links = {"crank": "AB"}
     slides = {"yoke": "C", "block": "B"}
 
-    crank: float = length(50.0, "length of AB")
+    crank: Dimension = length(50.0, "length of AB")
 
     def linkage(self) -> Linkage:
         """AB = AC + CB."""

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
-from vad.mechanisms.mechanism import Mechanism, length
+from vad.mechanisms.mechanism import Dimension, Mechanism, length
 
 
 @dataclass(frozen=True)
@@ -19,9 +19,9 @@ class SliderCrank(Mechanism):
     links = {"crank": "AB", "rod": "BC"}
     slides = {"slider": "C"}
 
-    crank: float = length(60.0, "length of AB")
-    rod: float = length(140.0, "length of BC")
-    offset: float = length(0.0, "height of the guide above A", signed=True)
+    crank: Dimension = length(60.0, "length of AB")
+    rod: Dimension = length(140.0, "length of BC")
+    offset: Dimension = length(0.0, "height of the guide above A", signed=True)
 
     def linkage(self) -> Linkage:
         """AB + BC = AD + DC, with D the guide's point next to A."""

@@ -3,7 +3,7 @@
 from dataclasses import KW_ONLY, dataclass
 
 from vad.kinematics.space.linkages import DualAngle, FourAxes
-from vad.mechanisms.mechanism import MechanismInSpace, arc, length
+from vad.mechanisms.mechanism import Dimension, MechanismInSpace, arc, length
 
 _PARALLEL = "parallel axes make a four-bar in the plane"
 
@@ -26,15 +26,15 @@ class SpatialFourBar(MechanismInSpace):
     joints = {"B": "coupler against crank", "C": "coupler against rocker"}
     slides = {"slide_b": "B", "slide_c": "C", "slide_d": "D"}
 
-    ground: float = length(100.0, "distance of the axes at A and D", signed=True)
-    crank: float = length(40.0, "distance of the axes at A and B", signed=True)
-    coupler: float = length(80.0, "distance of the axes at B and C", signed=True)
-    rocker: float = length(60.0, "distance of the axes at D and C", signed=True)
+    ground: Dimension = length(100.0, "distance of the axes at A and D", signed=True)
+    crank: Dimension = length(40.0, "distance of the axes at A and B", signed=True)
+    coupler: Dimension = length(80.0, "distance of the axes at B and C", signed=True)
+    rocker: Dimension = length(60.0, "distance of the axes at D and C", signed=True)
     _: KW_ONLY
-    ground_twist: float = arc(60.0, "angle between the axes at A and D", _PARALLEL)
-    crank_twist: float = arc(30.0, "angle between the axes at A and B", _PARALLEL)
-    coupler_twist: float = arc(55.0, "angle between the axes at B and C", _PARALLEL)
-    rocker_twist: float = arc(45.0, "angle between the axes at D and C", _PARALLEL)
+    ground_twist: Dimension = arc(60.0, "angle between the axes at A and D", _PARALLEL)
+    crank_twist: Dimension = arc(30.0, "angle between the axes at A and B", _PARALLEL)
+    coupler_twist: Dimension = arc(55.0, "angle between the axes at B and C", _PARALLEL)
+    rocker_twist: Dimension = arc(45.0, "angle between the axes at D and C", _PARALLEL)
 
     def linkage(self) -> FourAxes:
         """AB + s_B + BC = AD + s_D + DC + s_C."""

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from vad.kinematics.space.linkages import DualAngle, FourAxes
-from vad.mechanisms.mechanism import MechanismInSpace, arc
+from vad.mechanisms.mechanism import Dimension, MechanismInSpace, arc
 
 _APART = "at 0° and 180° both axes are one"
 
@@ -24,10 +24,10 @@ class SphericalFourBar(MechanismInSpace):
     links = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
     joints = {"B": "coupler against crank", "C": "coupler against rocker"}
 
-    ground: float = arc(90.0, "arc AD between the fixed axes", _APART)
-    crank: float = arc(40.0, "arc AB", _APART)
-    coupler: float = arc(80.0, "arc BC", _APART)
-    rocker: float = arc(70.0, "arc DC", _APART)
+    ground: Dimension = arc(90.0, "arc AD between the fixed axes", _APART)
+    crank: Dimension = arc(40.0, "arc AB", _APART)
+    coupler: Dimension = arc(80.0, "arc BC", _APART)
+    rocker: Dimension = arc(70.0, "arc DC", _APART)
 
     def linkage(self) -> FourAxes:
         """AB + BC = AD + DC, in arcs."""

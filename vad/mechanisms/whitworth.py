@@ -5,7 +5,7 @@ from dataclasses import KW_ONLY, dataclass
 from vad.kinematics.elementary import sine
 from vad.kinematics.linkage import Linkage
 from vad.mechanisms.crank_slotted_lever import quick_return
-from vad.mechanisms.mechanism import Mechanism, angle, length
+from vad.mechanisms.mechanism import Dimension, Mechanism, OptionalDimension, angle, length
 
 
 @dataclass(frozen=True)
@@ -22,13 +22,13 @@ class Whitworth(Mechanism):
     links = {"crank": "AB", "lever": "DQ", "rod": "CE"}
     slides = {"block": "B", "ram": "E"}
 
-    ground: float = length(40.0, "distance AD of the pivots")
-    crank: float = length(90.0, "length of AB")
-    arm: float = length(60.0, "length of DC")
-    rod: float | None = length(None, "length of CE, with a ram")
-    ram_height: float | None = length(None, "height of the ram's line above A", signed=True)
+    ground: Dimension = length(40.0, "distance AD of the pivots")
+    crank: Dimension = length(90.0, "length of AB")
+    arm: Dimension = length(60.0, "length of DC")
+    rod: OptionalDimension = length(None, "length of CE, with a ram")
+    ram_height: OptionalDimension = length(None, "height of the ram's line above A", signed=True)
     _: KW_ONLY
-    ground_angle: float = angle(-90.0, "direction of AD")
+    ground_angle: Dimension = angle(-90.0, "direction of AD")
 
     def linkage(self) -> Linkage:
         """Return the loops; the tip C lies on the side away from Q."""
