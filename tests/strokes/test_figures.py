@@ -1,4 +1,4 @@
-"""Every figure in a caption, against the data; and its arithmetic, as a pocket calculator does it.
+"""Every figure in a caption, against the data; and its arithmetic, as a calculator does it.
 
 A caption calculates in chains: ``bc = 340.5 mm/s``, ``ω₃ = bc/BC = 340.5/140 = 2.432 rad/s``.
 A figure is wrong by half a unit of its last place at most: that is the bound for each figure

@@ -1,8 +1,8 @@
 """The board: everything that a sheet can show on a page, placed once; nothing moves later.
 
-A sheet and a format give a `Plan`: frozen items in page units, with roles instead of colours.  A
-still, a step and a film are one plan at different beats.  A lesson with several panels is played on
-a stage (`vad.plan.stage`).
+A sheet and a format give a `Plan`: frozen items in page units, each with a role, to which a style
+gives its colour.  A still, a step and a film are one plan at different beats.  A lesson with
+several panels is played on a stage (`vad.plan.stage`).
 """
 
 from __future__ import annotations

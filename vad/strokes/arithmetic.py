@@ -1,6 +1,6 @@
 """The numbers in captions, the calculations with them, and the digits that are printed.
 
-A reader who types the printed numbers into a pocket calculator must get the printed results.  So
+A reader who types the printed numbers into a calculator must get the printed results.  So
 when a sheet is complete, each number gets as many digits as that takes, and the same ones wherever
 it is printed.
 """
@@ -178,7 +178,7 @@ def with_digits(notation: Notation, sentences: Iterable[Sentence]) -> Notation:
 
 
 class _Typed:
-    """A number as a reader types it into a pocket calculator, with the digits that it has so far.
+    """A number as a reader types it into a calculator, with the digits that it has so far.
 
     Attributes
     ----------
