@@ -109,3 +109,11 @@ def test_a_citation_names_this_version():
     fields = dict(re.findall(r"^(\w[\w-]*): *(.+)$", (ROOT / "CITATION.cff").read_text(), re.M))
     assert fields["version"] == vad.__version__
     assert fields["license"] == PROJECT["license"]
+
+
+def test_each_extra_stands_in_the_table_of_the_readme_with_its_lowest_versions():
+    table = (ROOT / "README.md").read_text("utf-8").partition("| extra |")[2].partition("\n\n")[0]
+    for extra, packages in PROJECT["optional-dependencies"].items():
+        assert f"`{extra}`" in table, extra
+        own = (each for each in packages if not each.startswith("vad-diagrams["))
+        assert all(">=" in each for each in own), extra

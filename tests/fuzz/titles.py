@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import random
+import re
 import tempfile
 from html.parser import HTMLParser
 from pathlib import Path
@@ -52,7 +53,7 @@ PARTS = (
     ),
     *("onload=", "javascript:", "{{7*7}}", "${1}", "-", "--", "#", "1", " ", "A", "Press"),
 )
-FORMATS = ("svg", "html", "json", "pdf", "png", "srt", "vtt")
+FORMATS = ("svg", "html", "json", "pdf", "png", "srt", "vtt", "txt", "tex", "tikz")
 
 
 def case(seed: int) -> str:
@@ -96,7 +97,7 @@ def fault(title: str, seed: int = 0) -> str | None:
             lesson = vad.animate(sheet)
             for kind in random.Random(seed).sample(FORMATS, 2):
                 target = Path(folder) / f"a.{kind}"
-                vad.save(lesson if kind in ("srt", "vtt", "html") else sheet, target)
+                vad.save(lesson if kind in ("srt", "vtt", "html", "txt", "tex") else sheet, target)
                 _check(kind, target, sheet)
 
     return broken(drawn, LONGEST)
@@ -109,6 +110,10 @@ def _check(kind: str, path: Path, sheet: vad.Sheet) -> None:
         assert not [each for each in root.iter() if "script" in each.tag], "a script"
     elif kind == "json":
         assert vad.sheet_from_json(path) == sheet, "another sheet"
+    elif kind in ("tex", "tikz"):
+        plain = re.sub(r"\\.|%.*", "", path.read_text("utf-8"))
+        assert plain.count("{") == plain.count("}"), "braces without a partner"
+        assert plain.count("$") % 2 == 0, "mathematics without an end"
     elif kind == "html":
         assert tags(path.read_text("utf-8")) == _usual_tags(), "other tags than those of a page"
 

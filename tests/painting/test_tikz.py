@@ -12,6 +12,7 @@ import pypdfium2
 import pytest
 
 import vad
+from vad.export.sheet_json import to_text
 from vad.painting.agg_painter import AggPainter
 from vad.painting.posed import posed
 from vad.painting.tikz_painter import TikzPainter
@@ -112,3 +113,11 @@ def test_a_style_of_the_document_takes_the_place_of_one_of_the_picture(tmp_path:
     usual, other = (compiled(text, tmp_path, each) for each in ("", own))
     assert not (usual == pink).all(axis=2).any()
     assert (other == pink).all(axis=2).sum() > 100
+
+
+def test_no_name_of_a_sheet_from_elsewhere_is_a_command(tmp_path: Path):
+    text = to_text(vad.draw(vad.solve(vad.FourBar()))).replace("BC.line", "B}\\\\input{x}")
+    vad.save(vad.sheet_from_json(text), tmp_path / "a.tikz")
+    found = (tmp_path / "a.tikz").read_text("utf-8")
+    assert "vad stroke={velocity:B--input-x-}" in found
+    assert r"\input{x}" not in found

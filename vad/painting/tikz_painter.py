@@ -7,6 +7,7 @@ the results, ``vad vector crank``; every stroke stands in a scope
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 from vad.painting.latex import latex_of
@@ -18,6 +19,8 @@ from vad.strokes.description import title
 from vad.strokes.sheet import Sheet
 from vad.style import Look, Pen
 
+#: What cannot be in a name of TikZ.
+_SIGN = re.compile(r"[^\w.:′″+-]")
 #: Points of LaTeX to a page unit: labels have about 12 points, as on paper.
 _UNIT = 288.0
 #: Points of the letters that a node scales; no document needs letters of other sizes for it.
@@ -89,7 +92,7 @@ class TikzPainter:
         if item.stroke in self._captions and item.stroke not in self._said:
             self._said.add(item.stroke)
             self._lines.append(f"% {' '.join(self._captions[item.stroke].split())}")
-        self._lines.append(rf"\begin{{scope}}[vad stroke={{{item.stroke}}}]")
+        self._lines.append(rf"\begin{{scope}}[vad stroke={{{_name(item.stroke)}}}]")
 
     def paint(self, mark: Mark, look: Look) -> None:
         """Paint one mark."""
@@ -137,7 +140,7 @@ class TikzPainter:
     def _named(self, mark: Mark, look: Look) -> str:
         """Return the style of a mark, and what it has otherwise than its usual look."""
         row = None if mark.row is None else self._sheet.rows[mark.row % len(self._sheet.rows)].key
-        name = f"vad {mark.role}" + (f" {row}" if row else "")
+        name = f"vad {mark.role}" + (f" {_name(row)}" if row else "")
         own = ", ".join(self._keys(look, isinstance(mark.shape, Lettering)))
         usual = self._style(name, own)
         return name if own == usual else f"{name}, {own}"
@@ -179,6 +182,11 @@ class TikzPainter:
         if self._open:
             self._lines.append(r"\end{scope}")
         self._open = False
+
+
+def _name(text: str) -> str:
+    """Return a name without signs that mean something to LaTeX: a sheet may come from anywhere."""
+    return _SIGN.sub("-", text)
 
 
 def _number(value: float) -> str:
