@@ -1,7 +1,8 @@
 """Small multiples on a page: a column for each pose, a row for each kind of panel.
 
-Each row has one scale and one head.  A mechanism has the same place in each cell, so that a reader
-sees what moves; a polygon is centred.
+Each row has one scale and one head, which stands beside it where the page is wide, and else above
+it.  A mechanism has the same place in each cell, so that a reader sees what moves; a polygon is
+centred.
 """
 
 from __future__ import annotations
@@ -15,26 +16,29 @@ from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, TITLE, Item, Level
 from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace, beside, rooms
-from vad.plan.lettering.glyphs import width
+from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
-from vad.plan.marks import Lettering, Mark
+from vad.plan.marks import Lettering, Mark, line
+from vad.plan.page.heads import LEAST_SCALE, LEAST_TITLE, head, title_marks
 from vad.plan.page.heads import TITLE as TITLE_SIZE
-from vad.plan.page.heads import head, title_marks
 from vad.plan.pictures import sketched
 from vad.plan.reach import corners
+from vad.plan.scale import SCALE_GAP, Scale, bar_marks, fill, stated, views_scale
 from vad.plan.scale import SCALE_SIZE as SCALE
-from vad.plan.scale import Scale, fill, views_scale
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.multiples import Multiples
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Cell, Panel, Sheet
 
 #: The least room of a picture, for which all type on the page shrinks.
-NARROWEST, LOWEST = 0.43, 0.40
-PLACES = 0.155  # the titles of the columns, below the top
-FIRST_RULE = 0.180
+NARROWEST, LOWEST = 0.43, 0.37
+PLACES = 0.145  # the titles of the columns, below the top
+FIRST_RULE = 0.165
 PLACE_SIZE = 0.040
 DRAWING = (0.055, 0.010)  # from a rule down to the drawing, and from that to the next rule
+DRAWING_BESIDE = (0.010, 0.010)  # where the head stands beside it
+ASIDE = 0.34  # the room of such a head
+HEAD_PITCH = 0.046  # from one of its lines to the next
 GIVEN_GAP = 0.030
 
 
@@ -54,8 +58,9 @@ class MultiplesBoard:
     def __init__(self, multiples: Multiples, form: Format) -> None:
         self._multiples = multiples
         first, count = multiples.sheets[0], len(multiples.sheets)
-        self.form = _with_room(form, count, len(first.panels))
-        self._room = (self.form.width - 2 * MARGIN - (count - 1) * GUTTER) / count
+        self._aside, self.form = _with_room(form, count, len(first.panels))
+        self._gaps = DRAWING_BESIDE if self._aside else DRAWING
+        self._room = (self._span - (count - 1) * GUTTER) / count
         self._page = self._laid_out()
         self.regions: Mapping[str, Rect] = {
             TITLE: Rect(0.0, self.form.height - FIRST_RULE, self.form.width, self.form.height),
@@ -85,16 +90,22 @@ class MultiplesBoard:
     def _laid_out(self) -> Page:
         """Return the page, with a row for each kind of panel."""
         form, panels = self.form, self._multiples.sheets[0].panels
-        left, right = MARGIN, form.width - MARGIN
+        left, right = MARGIN + self._aside, form.width - MARGIN
         first, pitch = form.height - FIRST_RULE, _pitch(form, len(panels))
         places = {}
         for number, panel in enumerate(panels):
             rule = first - number * pitch
-            drawing = Rect(left, rule - pitch + DRAWING[1], right, rule - DRAWING[0])
-            region = Rect(0.0, drawing.bottom, form.width, rule + DRAWING[1])
+            above, below = self._gaps
+            drawing = Rect(left, rule - pitch + below, right, rule - above)
+            region = Rect(0.0, drawing.bottom, form.width, rule + below)
             places[panel.name] = PanelPlace(rule, rule - 0.040, drawing, (), region)
         title = form.height - 0.075
         return Page(form.width, form.height, True, title, places, (), 0.0, None, ())
+
+    @property
+    def _span(self) -> float:
+        """The width of all columns of pictures."""
+        return self.form.width - 2 * MARGIN - self._aside
 
     def _column(self, name: str) -> Panel:
         first = self._multiples.sheets[0]
@@ -148,7 +159,8 @@ class MultiplesBoard:
         yield from title_marks(sheet, self._page)
         for number, cell in enumerate(self._multiples.places):
             runs = bold(_reading(cell, sheet.notation))
-            middle = MARGIN + number * (self._room + GUTTER) + self._room / 2
+            left = MARGIN + self._aside + number * (self._room + GUTTER)
+            middle = left + self._room / 2
             at = complex(middle - width(runs, PLACE_SIZE) / 2, self.form.height - PLACES)
             yield Mark(Lettering(runs, at, PLACE_SIZE), "words")
 
@@ -158,16 +170,37 @@ class MultiplesBoard:
         panel = sheets[0].panel(name)
         scales = [found[name].scale for found in self.sketches]
         scale = min(scales, key=lambda scale: scale.bare)
-        yield from head(panel, place, scale, self.form.centimetre, sheets[0].notation)
+        given = [_reading(cell, sheets[0].notation) for cell in self._given(name)]
         title = bold(roman(panel.title))
-        x = place.drawing.left + width(title, TITLE_SIZE) + GIVEN_GAP
+        if not self._aside:
+            yield from head(panel, place, scale, self.form.centimetre, sheets[0].notation)
+            x = place.drawing.left + width(title, TITLE_SIZE) + GIVEN_GAP
+            for reading in given:
+                yield Mark(Lettering(reading, complex(x, place.title), SCALE), "notes")
+            return
+        ends = complex(MARGIN, place.rule), complex(self.form.width - MARGIN, place.rule)
+        size = fitted(title, TITLE_SIZE, LEAST_TITLE, ASIDE - GUTTER)
+        at = complex(MARGIN, place.title)
+        yield line(ends, "rule")
+        yield Mark(Lettering(title, at, size), "words")
+        for reading in given:
+            at -= 1j * HEAD_PITCH
+            small = fitted(reading, SCALE, LEAST_SCALE, ASIDE - GUTTER)
+            yield Mark(Lettering(reading, at, small), "notes")
+        if not scale.bare:
+            room, centimetre = ASIDE - GUTTER, self.form.centimetre
+            length, runs = stated(panel, scale, room, centimetre, sheets[0].notation)
+            small = fitted(runs, SCALE, LEAST_SCALE, room - length - SCALE_GAP)
+            yield from bar_marks(length, runs, at - 1j * HEAD_PITCH, small)
+
+    def _given(self, name: str) -> Iterator[Cell]:
+        """Yield what is given of the driver alike in all poses."""
+        sheets = self._multiples.sheets
         driver = sheets[0].driver.row
         for index, row in enumerate(sheets[0].rows):
             for cell in row.cells.get(name, ()) if row.key == driver else ():
                 if cell.given and all(cell in each.rows[index].cells[name] for each in sheets):
-                    at = complex(x, place.title)
-                    reading = _reading(cell, sheets[0].notation)
-                    yield Mark(Lettering(reading, at, SCALE), "notes")
+                    yield cell
 
 
 def _reading(cell: Cell, notation: Notation) -> Runs:
@@ -176,16 +209,25 @@ def _reading(cell: Cell, notation: Notation) -> Runs:
     )
 
 
-def _with_room(form: Format, columns: int, rows: int) -> Format:
-    """Return the format with a page unit so small that every picture has the room that it needs."""
-    wide = (form.width - 2 * MARGIN + GUTTER) / (columns * (NARROWEST + GUTTER))
-    share = min(1.0, wide, _pitch(form, rows) / (LOWEST + sum(DRAWING)))
-    return Format(
-        form.width / share,
-        form.height / share,
-        form.unit * share,
-        form.edge / share,
-        form.centimetre / share if form.centimetre else None,
+def _with_room(form: Format, columns: int, rows: int) -> tuple[float, Format]:
+    """Return the room for heads beside the rows, and the format in which pictures have theirs.
+
+    Its page unit is so small that every picture has the room that it needs.  Heads stand beside the
+    rows if that leaves a larger unit.
+    """
+
+    def share(aside: float, gaps: tuple[float, float]) -> float:
+        wide = (form.width - 2 * MARGIN + GUTTER) / (columns * (NARROWEST + GUTTER) + aside)
+        return min(1.0, wide, _pitch(form, rows) / (LOWEST + sum(gaps)))
+
+    above, beside = share(0.0, DRAWING), share(ASIDE, DRAWING_BESIDE)
+    unit = max(above, beside)
+    return ASIDE if beside > above else 0.0, Format(
+        form.width / unit,
+        form.height / unit,
+        form.unit * unit,
+        form.edge / unit,
+        form.centimetre / unit if form.centimetre else None,
     )
 
 
