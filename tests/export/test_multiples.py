@@ -13,6 +13,7 @@ import vad
 from tests.painting.readers import centres, pdf_text
 from tests.plan.overlaps import _in_panel
 from vad.errors import AssemblyError, InputError, UsageError
+from vad.lecture.moment import Moment
 from vad.painting.posed import posed
 from vad.plan.format import paper, screen
 from vad.plan.marks import Lettering
@@ -33,7 +34,7 @@ def board(case: str) -> MultiplesBoard:
 
 
 def words(page: MultiplesBoard, region: str) -> list[str]:
-    marks = [mark for item in page.shown(0) if item.region == region for mark in item.marks]
+    marks = [mark for item in page.at(Moment(0)) if item.region == region for mark in item.marks]
     shapes = [mark.shape for mark in marks if isinstance(mark.shape, Lettering)]
     return ["".join(run.text for run in shape.runs) for shape in shapes]
 

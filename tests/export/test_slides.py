@@ -88,7 +88,8 @@ def test_beamer_has_an_overlay_for_each_page_of_the_steps(lesson: Lesson, beamer
     steps = pypdf.PdfReader(beamer.with_name("lecture 4-steps.pdf"))
     overlays = re.findall(r"\\vadstep\{(\d+)\}\{(\d+)\}", text)
     assert [int(page) for _, page in overlays] == list(range(1, len(steps.pages) + 1))
-    assert [int(number) for number, _ in overlays] == [lesson.place(s) for s in lesson.steps]
+    places = [lesson.place(step) for step in lesson.steps]
+    assert [int(number) for number, _ in overlays] == [*places, 1]  # at last the whole sheet
     assert r"\newcommand*{\vadsteps}{lecture 4-steps.pdf}" in text
     assert r"\title{Exercise 4 \& 5: 50 \%}" in text
     assert "aspectratio=43" in text
@@ -99,7 +100,7 @@ def test_beamer_compiles(lesson: Lesson, beamer: Path):
         pytest.skip("there is no pdflatex")
     compiled(beamer, beamer.parent)
     pages = pypdf.PdfReader(beamer.with_suffix(".pdf")).pages
-    assert len(pages) == len(lesson.steps)
+    assert len(pages) == len(lesson.steps) + 1
 
 
 def compiled(path: Path, folder: Path) -> str:

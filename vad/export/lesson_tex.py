@@ -80,4 +80,8 @@ def _lines(lesson: Lesson, name: str) -> Iterator[str]:
             caption = latex_of(said(pieces_of(step.stroke.said)))
             yield f"  \\vadstep{{{overlay}}}{{{page}}}{{{caption}}}%\n"
         yield "\\end{frame}\n"
+    if page and lesson.settle:  # the last page shows the whole sheet
+        caption = latex_of(said(lesson.answer.pieces)) if lesson.answer else ""
+        yield f"\n\\begin{{frame}}[plain]\n  \\vadstep{{1}}{{{page + 1}}}{{{caption}}}%\n"
+        yield "\\end{frame}\n"
     yield "\n\\end{document}\n"
