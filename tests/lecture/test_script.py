@@ -50,6 +50,15 @@ def test_a_pause_prolongs_the_rest_of_its_stroke(step: str | int):
     assert max(range(len(held)), key=held.__getitem__) == 12
 
 
+def test_a_caption_of_several_strokes_is_replaced_as_a_whole():
+    sheet = vad.draw(vad.solve(vad.HookeJoint()))
+    script = {"captions": {"position:P.circle": "The pin P.", "position:P.angle": "Its angle."}}
+    told = vad.animate(sheet, script=script).sheet.panel("position")
+    said = {name: told.strokes[told.number(name)].caption for name in ("OP.arm", "P.angle")}
+    assert said == {"OP.arm": "The pin P.", "P.angle": "Its angle."}
+    assert told.strokes[told.number("Q.ellipse")] == sheet.panel("position").strokes[11]
+
+
 @pytest.mark.parametrize(
     ("script", "said"),
     [

@@ -5,13 +5,13 @@ A script may add pauses, and place strokes at moments of a recorded voice.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from vad.errors import UsageError
 from vad.lecture.scenes import scene_numbers
 from vad.lecture.script import Script, step_number
-from vad.lecture.telling import reading, starts, told, told_together
+from vad.lecture.telling import reading, share_caption, starts, told, told_together
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
 from vad.strokes.telling import telling
@@ -30,6 +30,7 @@ GROWTH = {
 }
 FOLD = 1.0  # a plane that is rotated into the paper
 FLIGHT = 2.4  # while a figure upon the mechanism turns onto its polygon
+SWIFT = 0.3  # of each of several strokes with one caption, on average and at least
 SHORT = 0.75  # share of that time for a vector of length zero
 LEAST_REST = 0.5  # after a caption, and before the next one
 GLIDE = 1.0  # the panels of a stage, as they move to their places in the next scene
@@ -127,18 +128,34 @@ def _times_of(panel: Panel, loop: int, flown: bool) -> Iterator[Times]:
     longest = max(map(_length, panel.strokes), default=0.0)
     begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else panel.given
     pairs = list(told_together(panel))
-    leads = {number for first, last in pairs for number in range(first, last)}
     looks = {last: told(panel, first, last) for first, last in pairs if last + 1 == begun}
-    for index, stroke in enumerate(panel.strokes):
-        if index < begun:
-            look = max(LOOK, reading(looks[index])) if index in looks else 0.0
-            yield Times(0.0, look, there=True)
+    for first, last in pairs:
+        strokes = panel.strokes[first : last + 1]
+        if last < begun:
+            look = max(LOOK, reading(looks[last])) if last in looks else 0.0
+            yield from (
+                Times(0.0, look if each == last else 0.0, there=True)
+                for each in range(first, last + 1)
+            )
             continue
-        grow = growth(stroke, longest)
-        if flown and index == len(panel.strokes) - 1:
-            grow = FLIGHT
-        hold = rest(stroke, grow, 0.0 if index in leads else LEAST_REST)
-        yield Times(grow, hold, beats=starts(stroke.said))
+        grown = [growth(stroke, longest) for stroke in strokes]
+        if flown and last == len(panel.strokes) - 1:
+            grown[-1] = FLIGHT
+        if len(strokes) > 1 and share_caption(strokes, 0):
+            yield from _times_of_one_caption(strokes[0], grown)
+            continue
+        for stroke, grow in zip(strokes, grown, strict=True):
+            hold = rest(stroke, grow, LEAST_REST if stroke is strokes[-1] else 0.0)
+            yield Times(grow, hold, beats=starts(stroke.said))
+
+
+def _times_of_one_caption(stroke: Stroke, grown: Sequence[float]) -> Iterator[Times]:
+    """Yield the times of strokes of which the same is said: they are drawn while it is read."""
+    whole = reading(pieces_of(stroke.said))
+    share = min(1.0, max(whole, SWIFT * len(grown)) / sum(grown))
+    hold = max(LEAST_REST, whole - share * sum(grown))
+    for number, grow in enumerate(grown, 1):
+        yield Times(share * grow, hold if number == len(grown) else 0.0)
 
 
 def scripted(

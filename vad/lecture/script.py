@@ -24,6 +24,7 @@ from typing import Any
 
 from vad import gate
 from vad.errors import InputError, UsageError, one_of, quoted, unknown
+from vad.lecture.telling import share_caption
 from vad.strokes.sheet import Panel, Sheet
 from vad.strokes.telling import telling
 
@@ -63,9 +64,16 @@ class Script:
 
 
 def _retold(panel: Panel, own: Mapping[tuple[str, int], str]) -> Panel:
-    """Return a panel with captions of one's own, by panel and number."""
+    """Return a panel with captions of one's own, by panel and number.
+
+    A caption that is said of several strokes is replaced with that of the first.
+    """
+    texts = {number: text for (name, number), text in own.items() if name == panel.name}
+    for number in range(len(panel.strokes) - 1):
+        if number in texts and share_caption(panel.strokes, number):
+            texts.setdefault(number + 1, texts[number])
     strokes = tuple(
-        replace(stroke, said=own[panel.name, number]) if (panel.name, number) in own else stroke
+        replace(stroke, said=texts[number]) if number in texts else stroke
         for number, stroke in enumerate(panel.strokes)
     )
     return replace(panel, strokes=strokes, below=panel.below and _retold(panel.below, own))

@@ -3,7 +3,7 @@
 A caption is read at `LETTERS_PER_SECOND`, and each number in it takes about a second, because
 "13.23 rad/s" takes longer to say than to see.  A calculation is said in three beats: the symbols,
 then the numbers, then the result.  Strokes that need few words are told together: a pivot and a
-guide, an arc and the point on it.
+guide, an arc and the point on it.  Strokes of which the same is said are one step of the lecture.
 """
 
 from __future__ import annotations
@@ -132,12 +132,27 @@ def told_together(panel: Panel) -> Iterator[tuple[int, int]]:
     """
     pairs = _PAIRS_OF_VECTORS if panel.picture == "vectors" else _PAIRS
     strokes, number = panel.strokes, 0
-    while number < len(strokes):  # Each round tells one stroke or two.
-        last = number + 1 if _are_pair(strokes[number : number + 2], pairs) else number
-        if last == panel.given or last in panel.loops:
-            last = number
+    while number < len(strokes):  # Each round tells one stroke, two, or all of one caption.
+        last = number
+        while share_caption(strokes, last):  # Each round adds a stroke.
+            last += 1
+        if last == number and _are_pair(strokes[number : number + 2], pairs):
+            last += 1
+        begins = (each for each in range(number + 1, last + 1) if _is_begin(panel, each))
+        last = next(begins, last + 1) - 1
         yield number, last
         number = last + 1
+
+
+def share_caption(strokes: Sequence[Stroke], number: int) -> bool:
+    """Tell whether the same is said of a stroke and of the next one."""
+    one, other = strokes[number], strokes[number + 1 : number + 2]
+    return bool(one.said) and bool(other) and other[0].said == one.said
+
+
+def _is_begin(panel: Panel, number: int) -> bool:
+    """Tell whether a loop begins with a stroke, or what is drawn after all that is there."""
+    return number == panel.given or number in panel.loops
 
 
 def _are_pair(strokes: Sequence[Stroke], pairs: set[tuple[str, str]]) -> bool:
@@ -151,7 +166,10 @@ def _are_pair(strokes: Sequence[Stroke], pairs: set[tuple[str, str]]) -> bool:
 
 def told(panel: Panel, first: int, last: int) -> Pieces:
     """Return what is said of the strokes of a panel from ``first`` to ``last``."""
-    captions = [pieces_of(stroke.said) for stroke in panel.strokes[first : last + 1]]
+    strokes = panel.strokes[first : last + 1]
+    if len(strokes) > 1 and share_caption(strokes, 0):
+        return pieces_of(strokes[0].said)
+    captions = [pieces_of(stroke.said) for stroke in strokes]
     found = captions[0]
     for pieces in captions[1:]:
         found = (*found, TextPiece(" "), *pieces) if found and pieces else found or pieces
