@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -14,8 +15,8 @@ from vad.export.lesson_srt import cues
 from vad.files.examples import example_names, example_path
 from vad.lecture.lesson import Lesson, LessonStep
 from vad.lecture.pace import CLOSING, GLIDE, LEAST_REST, OPENING, SETTLE, SHEET, growth
-from vad.lecture.telling import beats
-from vad.strokes.sheet import Arrow, Dot, Fold, Kind, Stroke
+from vad.lecture.telling import beats, told_together
+from vad.strokes.sheet import Arrow, Dot, Fold, Kind, Panel, Sheet, Stroke
 from vad.words import languages, text_of
 
 # Seconds that a stroke grows; a vector of no length takes the second, between them it is linear.
@@ -128,6 +129,33 @@ def test_strokes_that_need_few_words_are_told_together():
     assert any(t.startswith("The crank AB") and "counter-clockwise" in t for t in texts)
     assert len(texts) < len(lesson.steps)
     assert all(step.hold / lesson.fps >= LEAST_REST - 0.05 for step in lesson.steps[-5:])
+
+
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize("name", ["hooke-joint", "spherical-four-bar", "spatial-four-bar", "rssr"])
+def test_a_position_in_space_takes_few_steps_and_its_lecture_is_short(name: str, language: str):
+    lesson = lesson_of(name, language)
+    views = lesson.sheet.panel("position")
+    runs = [*told_together(views)]
+    assert 7 <= len(runs) <= 9
+    assert all(
+        len({s.caption for s in views.strokes[first : last + 1]}) == 1 for first, last in runs
+    )
+    said = [cue.text for cue in cues(lesson)]
+    captions = [" ".join(views.strokes[first].caption.split()) for first, _ in runs]
+    assert said[: len(runs)] == captions
+    assert lesson.duration <= 150.0
+
+
+def test_strokes_of_one_caption_are_drawn_while_it_is_read():
+    drawn = [replace(stroke(kind), said="A short one.") for kind in ("fixed", "guide", "known")]
+    panel = Panel("position", "mm", (*drawn, stroke("known")), picture="views")
+    assert [*told_together(panel)] == [(0, 2), (3, 3)]
+    assert [*told_together(replace(panel, given=1))] == [(0, 0), (1, 2), (3, 3)]
+    lesson = vad.animate(Sheet("", "", (), (), (panel,)))
+    first, second, third, _ = lesson.steps
+    assert (first.hold, second.hold) == (0, 0) and third.hold >= LEAST_REST * lesson.fps - 1
+    assert all(0 < step.grow < GROWS[step.stroke.kind][0] * lesson.fps for step in lesson.steps[:3])
 
 
 @pytest.mark.parametrize("panels", ["position", "velocity"])

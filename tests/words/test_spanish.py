@@ -26,7 +26,7 @@ PHRASES = {
     "and": "{first} y {last}",
     "velocity of": "la velocidad de {head}",
     "parallel": "∥ {line}",
-    "hooke axes": "Los ejes se cortan en *O*.",
+    "hooke shafts": "Los ejes 2 y 4 se cortan en *O* a {angle}°.",
     "hooke along": "vista según el eje 2",
 }
 NAMES = {"Four-bar": "Cuadrilátero articulado", "Velocity": "Velocidad", "crank": "manivela"}
@@ -88,7 +88,7 @@ def test_ten_phrases_are_a_language(captions: list[str], tmp_path: Path) -> None
     assert "The angle counts counter-clockwise from x." in captions
     space = json.loads((tmp_path / "space.json").read_text("utf-8"))
     views = space["panels"]["position"]
-    assert "Los ejes se cortan en O." in [each["caption"] for each in views["strokes"]]
+    assert "Los ejes 2 y 4 se cortan en O a 30°." in [each["caption"] for each in views["strokes"]]
     assert [note["text"] for note in views["notes"]] == [
         "vista según el eje 2",
         "plane of the shafts",

@@ -169,6 +169,9 @@ PHRASES = {
     ),
     "crossing": "{letter} ist der Schnittpunkt der Geraden.",
     "crossing zero": "{letter} ist der Schnittpunkt der Geraden: {found}.",
+    "lines and crossing": "{one}; {other}. {crossing}",
+    "line and crossing": "{one}. {crossing}",
+    "line alone": "{one}.",
     "zero": "bei {point}, also ist {symbol} null",
     "pole crossing": "Der Pol {letter} ist der Schnittpunkt der Geraden: {point} steht still.",
     "measured omega": (
@@ -267,76 +270,66 @@ PHRASES = {
     # --- das sphärische Gelenkviereck und Pläne von Körpern
     # Lageplan
     "spherical along": "längs {axis}",
-    "spherical outline": (
-        "Die Kugel, senkrecht zur Gestellebene gesehen: ihr Umriss ist der Großkreis des Gestells."
+    "spherical frame": (
+        "Die festen Achsen durchstoßen die Kugel um *O* in *A* und *D*, {size}° auseinander; "
+        "*OA* und *OD* liegen im Blatt."
     ),
-    "spherical axes": "Die Achsen *OA* und *OD* liegen im Blatt: ihre Richtungen sind wahr.",
-    "spherical O": "Alle Achsen schneiden sich in *O*, der Mitte der Kugel.",
-    "spherical shaft": "Ein Glied dreht sich um *O*{letter}.",
-    "spherical bearing": "Seine Welle ist im Gestell gelagert.",
-    "spherical fixed": "In {letter} durchstößt eine feste Achse die Kugel.",
-    "spherical ground": "*A* und *D* sind die festen Achsen, {size}° voneinander entfernt.",
-    "spherical circle": "*B* dreht sich um *OA*: sein Kreis erscheint als Strecke.",
-    "spherical rose": "Längs {axis} gesehen erscheint der Winkel in wahrer Größe.",
-    "spherical reference A": "Er wird vom Bogen *AD* aus gemessen.",
-    "spherical reference D": (
-        "Er wird vom Bogen *AD* aus gemessen, der über *D* hinaus verlängert ist."
+    "spherical crank angle": (
+        "Längs *OA* gesehen steht die Kurbel bei {angle}°, vom Bogen *AD* gegen den Uhrzeigersinn."
     ),
-    "spherical true A": "Die Kurbel steht bei {angle}°.",
-    "spherical angle A": "Ihr Winkel zählt von außen gesehen gegen den Uhrzeigersinn.",
-    "spherical true D": "Die Schwinge steht bei {symbol} = {angle}°.",
-    "spherical angle D": "{symbol} zählt gegen den Uhrzeigersinn, von außen gesehen.",
-    "spherical crank": "Die Kurbel *AB* = {size}° steht bei {angle}°.",
-    "spherical B": "An ihrem Ende liegt *B*.",
-    "spherical about B": "*C* liegt auf dem Kreis um *B* mit dem Radius *BC* = {size}°.",
-    "spherical about D": (
-        "*C* liegt auf dem Kreis um *D* mit dem Radius *DC* = {size}°, der als Strecke erscheint."
+    "spherical crank": (
+        "*B* läuft um *OA* auf einem Kreis, der als Strecke erscheint: die Kurbel ist *AB* = "
+        "{size}°."
     ),
-    "spherical C": "*C* ist der Schnittpunkt der beiden Kreise.",
-    "spherical coupler": "Die Koppel *BC*: sie steht in *B* bei {b}° und in *C* bei {c}°.",
-    "spherical rocker": "Die Schwinge *DC*.",
-    "spherical great circle": "Der Großkreis der Koppel wird bis zum Umriss verfolgt.",
-    "spherical I": "Dort, in *I*, trifft er den Großkreis des Gestells.",
-    "spherical OI": (
-        "Die Ebenen von Koppel und Gestell schneiden sich in *OI*: um diese Achse dreht sich die "
-        "Schwinge relativ zur Kurbel."
+    "spherical C": (
+        "In *C* schneiden sich zwei Kreise: um *B* mit *BC* = {coupler}° und um *D* mit *DC* = "
+        "{rocker}°, als Strecke zu sehen."
+    ),
+    "spherical bars": (
+        "Die Koppel *BC* steht in *B* bei {b}° und in *C* bei {c}°; *DC* ist die Schwinge."
+    ),
+    "spherical rocker angle": (
+        "Längs *OD* gesehen steht die Schwinge bei {symbol} = {angle}°, vom verlängerten Bogen "
+        "*AD* aus."
+    ),
+    "spherical I": (
+        "Die Großkreise von *BC* und *AD* schneiden sich in *I*: um *OI* dreht sich die Schwinge "
+        "relativ zur Kurbel."
     ),
     # Pläne von Körpern
-    "bodies remark": "1 2 4 in der Gestellebene, 2 3 4 in der Koppelebene, umgeklappt",
+    "bodies remark": (
+        "1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, um 2 4 ins Blatt umgeklappt"
+    ),
     "bodies pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
     "bodies pole acceleration": "Der Pol: das Gestell, 1′, hat keine Winkelbeschleunigung.",
     "bodies given": "{label} = {symbol} = {value} {unit}, längs {axis}.",
     "bodies turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} dreht sich "
-        "mit *OI* in der Gestellebene."
+        "mit *OI*."
     ),
     "bodies turned coupler": (
-        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: auch in der "
-        "Koppelebene dreht sich {symbol} mit *OI*."
+        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: auch in dieser "
+        "Ebene dreht sich {symbol}."
     ),
     "bodies line 24 velocity": (
-        "∥ *OI* durch {point}: nur *OI* liegt in den Ebenen von Gestell und Koppel, also dreht "
-        "sich 4 relativ zu 2 um *OI*, und {meeting} liegt darauf."
+        "∥ *OI* durch {point}, denn um *OI* dreht sich die Schwinge relativ zur Kurbel"
     ),
-    "bodies line 24 acceleration": (
-        "∥ *OI* durch {point}: wie die Drehung längs *OI* wächst, ist noch unbekannt, also liegt "
-        "{meeting} darauf."
+    "bodies line 14 velocity": "∥ *OD* durch {point}, denn sie dreht sich um *OD*",
+    "bodies line 23 velocity": (
+        "∥ *OB* durch {point}, {arc}° von *OI*, denn um *OB* dreht sich die Koppel relativ zur "
+        "Kurbel"
     ),
-    "bodies line 14": (
-        "∥ *OD* durch {point}: nur um *OD* dreht sich die Schwinge, also liegt {meeting} darauf."
+    "bodies line 43 velocity": (
+        "∥ *OC* durch {point}, {arc}° von *OI*, denn um *OC* dreht sie sich relativ zur Schwinge"
     ),
+    "bodies line 24 acceleration": "∥ *OI* durch {point}, die Richtung von *α₄₂ₜ*",
+    "bodies line 14 acceleration": "∥ *OD* durch {point}, die von *α₄*",
+    "bodies line 23 acceleration": "∥ *OB* durch {point}, {arc}° von *OI*, die Richtung von *α₃₂*",
+    "bodies line 43 acceleration": "∥ *OC* durch {point}, {arc}° von *OI*, die von *α₃₄*",
     "bodies fold": (
-        "Die Koppelebene wird um *OI* in das Blatt umgeklappt: *OB* und *OC* liegen in wahrer "
-        "Richtung."
+        "Die Koppelebene wird um *OI* ins Blatt umgeklappt: dort sind *OB* und *OC* unverzerrt."
     ),
-    "bodies line 23": (
-        "∥ *OB* (umgeklappt) durch {point}, {arc}° von *OI*: um *OB* dreht sich die Koppel "
-        "relativ zur Kurbel, also liegt {meeting} darauf."
-    ),
-    "bodies line 43": (
-        "∥ *OC* durch {point}, {arc}° von *OI*: um *OC* dreht sich die Koppel relativ zur "
-        "Schwinge, also liegt {meeting} darauf."
-    ),
+    "bodies fold again": "Wieder wird die Koppelebene um *OI* ins Blatt umgeklappt.",
     "bodies sines": (
         "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
         "{di}°."
@@ -450,69 +443,56 @@ PHRASES = {
     # Lageplan
     "hooke along": "längs Welle 2 gesehen",
     "hooke plan": "Ebene der Wellen",
-    "hooke shaft 2": "Unten die Ebene der Wellen in wahrer Größe: Welle 2 treibt an.",
-    "hooke bearing": "Welle {shaft} dreht sich im Gestell.",
-    "hooke shaft 4": "Welle 4 wird angetrieben.",
-    "hooke axes": "Die Wellen schneiden sich in *O*.",
-    "hooke angle": "Der Beugewinkel zwischen den Wellen ist {angle}°.",
-    "hooke O": "Oben *O*, längs Welle 2 gesehen.",
-    "hooke plane": "Längs Welle 2 gesehen ist die Ebene der Wellen die Waagerechte.",
-    "hooke circle": "*P* dreht sich um Welle 2: längs ihr gesehen auf einem Kreis.",
-    "hooke OP": "*P*, der Zapfen von Gabel 2, steht bei {angle}°: *OP* ist ein Arm des Kreuzes.",
-    "hooke theta 2": "Sein Winkel wird von der Ebene der Wellen aus gemessen.",
+    "hooke shafts": (
+        "Die Wellen 2 und 4 schneiden sich in *O* unter {angle}°: unten in wahrer Größe, oben "
+        "längs Welle 2 gesehen."
+    ),
+    "hooke P": (
+        "*P*, der Zapfen von Gabel 2, läuft auf diesem Kreis und steht bei {angle}°; *OP* ist "
+        "ein Arm des Kreuzes."
+    ),
     "hooke ellipse": (
-        "*Q* dreht sich um Welle 4: dieser Kreis erscheint als Ellipse, in der Breite mal cos "
-        "{angle}°."
+        "*Q*, der Zapfen von Gabel 4, läuft um Welle 4: sein Kreis erscheint als Ellipse, in der "
+        "Breite mal cos {angle}°."
     ),
-    "hooke OQ": (
-        "*OQ* steht senkrecht auf *OP*; *P* liegt in der Ebene dieser Ansicht, also erscheint der "
-        "rechte Winkel als solcher: *Q* liegt auf dieser Geraden."
+    "hooke Q": (
+        "*OP* liegt im Blatt, also erscheint sein rechter Winkel mit *OQ* unverzerrt: diese "
+        "Gerade trifft die Ellipse in *Q*."
     ),
-    "hooke Q": "*Q*, der Zapfen von Gabel 4, ist der Schnittpunkt der Geraden mit der Ellipse.",
-    "hooke arm": "*OQ* ist der andere Arm des Kreuzes.",
-    "hooke turned": "Parallel zur Ebene der Wellen wird *Q* in diese Ansicht gedreht.",
+    "hooke theta 4": (
+        "Parallel zur Ebene der Wellen kommt *Q* auf den Kreis: dort ist {theta} = {value}° in "
+        "wahrer Größe, tan {theta} = {ratio}."
+    ),
     "hooke ratio": "tan {theta} / cos {shafts}",
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
-    "hooke theta 4": (
-        "Dort ist sein Winkel in wahrer Größe zu sehen: {theta} = {value}°, denn tan {theta} = "
-        "{ratio}."
+    "hooke plan view": (
+        "*P*, *Q* und die Gabeln stehen senkrecht darunter; Kreuz 3 schwenkt um *ψ_P* = {at_p}° "
+        "um *P*, um *ψ_Q* = {at_q}° um *Q*."
     ),
-    "hooke projectors": "*P* und *Q* im Grundriss: senkrecht darunter.",
-    "hooke P plan": "Der Arm von *P* im Grundriss.",
-    "hooke Q plan": (
-        "Der Arm von *Q* im Grundriss: Kreuz 3 schwenkt um *ψ_P* = {at_p}° um *P*, um *ψ_Q* = "
-        "{at_q}° um *Q*."
+    "hooke T": (
+        "Die Gerade durch die Enden {one} und {other} der Arme trifft die Ebene der Wellen in *T*."
     ),
-    "hooke yoke": "Gabel {shaft} hält den Zapfen {pin}.",
-    "hooke fork": "Gabel {shaft}, längs Welle 2 gesehen.",
-    "hooke PQ": "Die Gerade von {one} nach {other} auf der anderen Seite der Ebene der Wellen.",
-    "hooke T": "Sie durchstößt diese Ebene in *T*.",
-    "hooke T below": "*T* wird in den Grundriss gelotet.",
-    "hooke T plan": "Senkrecht darunter liegt *T* im Grundriss.",
-    "hooke OT": "In *OT* schneidet die Ebene des Kreuzes die der Wellen.",
+    "hooke OT": (
+        "*T*, senkrecht heruntergelotet, ergibt *OT*: dort schneidet die Ebene des Kreuzes die "
+        "der Wellen."
+    ),
     # Polygone
     "hooke speeds": "Drehzahlen über einen Umlauf",
     "hooke shaft": "Welle {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* durch {point}: relativ zu Gabel 2 dreht sich Gabel 4 nur um Geraden in der Ebene "
-        "des Kreuzes; in der Ebene der Wellen liegt davon nur *OT*, also liegt {meeting} darauf."
+        "∥ *OT* durch {point}, denn *ω₄₂* liegt in der Ebene des Kreuzes und in der der Wellen"
     ),
-    "hooke line 24 acceleration": (
-        "∥ *OT* durch {point}: wie die Drehung längs *OT* wächst, ist noch unbekannt, also liegt "
-        "{meeting} darauf."
+    "hooke line 14 velocity": "∥ Welle 4 durch {point}, denn um sie dreht sich Gabel 4",
+    "hooke line 23 velocity": (
+        "∥ *OP* durch {point}, denn um *OP* dreht sich das Kreuz relativ zu Gabel 2"
     ),
-    "hooke line 14": (
-        "∥ Welle 4 durch {point}: nur um sie dreht sich Gabel 4, also liegt {meeting} darauf."
-    ),
-    "hooke fold": "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt.",
-    "hooke line 23": (
-        "∥ *OP* (umgeklappt) durch {point}: um *OP* dreht sich das Kreuz relativ zu Gabel 2, also "
-        "liegt {meeting} darauf."
-    ),
-    "hooke line 43": (
-        "∥ *OQ* durch {point}, senkrecht zur anderen Geraden: {meeting} liegt auf dem Thaleskreis "
-        "über 24."
+    "hooke line 43 velocity": "∥ *OQ* durch {point}, denn um *OQ* dreht es sich relativ zu Gabel 4",
+    "hooke line 24 acceleration": "∥ *OT* durch {point}, die Richtung von *α₄₂ₜ*",
+    "hooke line 14 acceleration": "∥ Welle 4 durch {point}, die von *α₄*",
+    "hooke fold": (
+        "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt: dort sind *OP* und "
+        "*OQ* unverzerrt."
     ),
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} dreht sich "
@@ -689,174 +669,121 @@ PHRASES = {
     # Lage
     "spatial star": "längs *DA*",
     "spatial rose": "längs *OA*",
-    "spatial a": "Die Achse *a* der Kurbel liegt fest.",
-    "spatial d": "Ebenso die Achse *d* der Schwinge.",
-    "spatial AD": (
-        "*AD* = {size} {unit} ist ihre gemeinsame Normale; *d* ist gegen *a* um {twist}° "
-        "geschränkt."
+    "spatial frame": (
+        "*AD* = {size} {unit} ist die gemeinsame Normale der festen Achsen *a* und *d* "
+        "({twist}°); die Schwinge gleitet auch auf *d*."
     ),
-    "spatial shaft": "Die Kurbel dreht sich um *a*.",
-    "spatial bearing": "Ein Lager hält sie: sie gleitet nicht.",
-    "spatial A": "*A* ist der Fußpunkt der gemeinsamen Normalen auf *a*.",
-    "spatial D sleeve": (
-        "In ihrer Hülse im Gestell dreht sich die Schwinge um *d* und gleitet auf *d*."
+    "spatial crank": (
+        "Die Kurbel *AB* = {size} {unit} steht bei {angle}° von *AD*, längs *OA* gesehen."
     ),
-    "spatial D": "*D* ist der Fußpunkt der gemeinsamen Normalen auf *d*.",
-    "spatial crank": "Die Kurbel *AB* = {size} {unit} steht bei {angle}°.",
-    "spatial circle": "Längs *a* gesehen läuft *B* auf einem Kreis.",
-    "spatial reference": "Der Winkel zählt von *AD* an.",
-    "spatial true": "Hier erscheint die Kurbel in wahrer Richtung.",
-    "spatial angle": "Ihr Winkel ist {angle}°.",
     "spatial b": (
-        "Ihre Achse in *B* steht senkrecht auf *AB* und ist gegen *a* um {twist}° geschränkt."
+        "Ihre Achse in *B* steht senkrecht auf *AB*, {twist}° von *a*; auf ihr dreht sich und "
+        "gleitet die Koppel."
     ),
-    "spatial B sleeve": "In ihrer Hülse bei *B* dreht sich und gleitet die Koppel.",
     "spatial directions": (
-        "Die Richtungen sind die des sphärischen Viergelenks mit den Bögen {ground}°, {crank}°, "
-        "{coupler}°, {rocker}°: Längen drehen nichts."
+        "Die Richtungen sind die des sphärischen Viergelenks mit diesen Winkeln als Bögen; *OI* "
+        "liegt bei *τ* = {tau}° von *OA*."
     ),
-    "spatial true directions": "Längs *DA* gesehen liegen *OA* und *OD* in der Zeichenebene.",
-    "spatial I": (
-        "Dort schneiden sich Gestellebene und Koppelebene in *OI*, *τ* = {tau}° von *OA*: um *OI* "
-        "dreht sich die Schwinge relativ zur Kurbel."
-    ),
-    "spatial c": "Von dort hat die Achse in *C* ihre Richtung.",
-    "spatial slides B": (
+    "spatial slides": (
         "Drei Längen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
     ),
-    "spatial slides C": "*s_C* = {c} {unit}, von der Schwinge bis zum Fußpunkt von *BC*.",
-    "spatial slides D": "*s_D* = {d} {unit}, von *D* bis zum Fußpunkt der Schwinge.",
-    "spatial coupler": (
-        "Die Koppel: von ihrer Welle in *B* längs der gemeinsamen Normalen *BC* = {size} {unit}."
+    "spatial bars": (
+        "Die Koppel *BC* = {coupler} {unit} und die Schwinge *DC* = {rocker} {unit} bei *θ₄* = "
+        "{theta}°."
     ),
-    "spatial C sleeve": "Bei *C* führt sie die Schwinge in einer Hülse.",
-    "spatial rocker": (
-        "Die Schwinge *DC* = {size} {unit} mit ihren Wellen in *C* und *D*: *θ₄* = {theta}°."
+    "spatial H": (
+        "Relativ zur Kurbel dreht sich die Schwinge um *I* und gleitet längs *I*; *AH* = "
+        "{height} {unit}."
     ),
-    "spatial C": "*C* ist der Fußpunkt von *BC* auf seiner Achse.",
-    "spatial screw": (
-        "Um *I* dreht sich die Schwinge relativ zur Kurbel, und sie gleitet längs *I*."
-    ),
-    "spatial H": "*I* schneidet *AD* rechtwinklig in *H*: *AH* = {height} {unit}.",
     # die unteren Polygone
     "spatial pole velocity": (
-        "Darunter *A* als Punkt der Schwinge; im Pol *A* und *D* des Gestells, die stillstehen."
+        "Darunter *A* als Punkt der Schwinge; die festen Punkte *A* und *D* liegen im Pol."
     ),
-    "spatial pole acceleration": (
-        "Darunter *A* als Punkt der Schwinge; im Pol *A* und *D* des Gestells, die stillstehen."
-    ),
+    "spatial pole acceleration": "Darunter wieder *A* als Punkt der Schwinge.",
     "spatial about I velocity": (
-        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: als Punkt der Schwinge "
-        "dreht sich *A* relativ zur Kurbel um *I*."
+        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich "
+        "relativ zur Kurbel um *I*."
     ),
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *A* "
-        "dreht sich schneller um *I*, und *I* bewegt sich selbst."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: auch "
+        "*I* selbst bewegt sich."
     ),
     "spatial about D": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: mit der Schwinge "
-        "dreht sich *A* um *D*."
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* dreht sich "
+        "auch um *D*."
     ),
-    "spatial along I velocity": (
-        "∥ *OI* durch {point}: wie schnell *A* längs *I* gleitet, ist noch unbekannt, also liegt "
-        "{meeting} darauf."
-    ),
-    "spatial along I acceleration": (
-        "∥ *OI* durch {point}: der Anteil längs *I* ist noch unbekannt, also liegt {meeting} "
-        "darauf."
-    ),
-    "spatial along D velocity": (
-        "∥ *OD* durch {point}: wie schnell *A* längs *d* gleitet, ist noch unbekannt, also liegt "
-        "{meeting} darauf."
-    ),
-    "spatial along D acceleration": (
-        "∥ *OD* durch {point}: der Anteil längs *d* ist noch unbekannt, also liegt {meeting} "
-        "darauf."
-    ),
+    "spatial along I": "∥ *OI* durch {point}",
+    "spatial along D": "∥ *OD* durch {point}, denn *A* gleitet längs beider Achsen",
     # --- das Gelenkviereck mit Kugelgelenken
     # Lageplan
-    "balls A": "Unten die Kurbel, längs der Achse von *A* gesehen.",
-    "balls crank path": "Dort läuft *B* auf einem Kreis in wahrer Gestalt.",
-    "balls crank": "Die Kurbel *AB* = {size} {unit} steht bei {angle}°.",
-    "balls crank angle": "Ihr Winkel wird vom gemeinsamen Lot beider Achsen aus gemessen.",
-    "balls D": "Oben die Schwinge, längs der Achse von *D* gesehen.",
-    "balls rocker path": "Dort läuft *C* auf einem Kreis in wahrer Gestalt.",
-    "balls A front": "*A* in dieser Ansicht.",
-    "balls B front": "*B* in dieser Ansicht: senkrecht darüber.",
-    "balls AB front": "Die Kurbel in dieser Ansicht.",
-    "balls compass": (
-        "*B* steht {height} {unit} {side} der Ebene des Kreises von *C*: hier ist *BC* = "
-        "√({size}² − {height}²) = {reach} {unit}."
-    ),
-    "balls C": "*C* ist der Schnittpunkt der beiden Kreise.",
-    "balls BC front": "Die Koppel *BC*.",
-    "balls rocker": "Die Schwinge *DC* steht bei {theta} = {angle}°.",
-    "balls rocker angle": "Auch ihr Winkel wird vom gemeinsamen Lot aus gemessen.",
-    "balls C top": "*C* in der unteren Ansicht: senkrecht darunter.",
-    "balls D top": "*D* in der unteren Ansicht.",
-    "balls DC top": "Die Schwinge in der unteren Ansicht.",
-    "balls BC top": "Die Koppel in der unteren Ansicht.",
-    "balls BC third": (
-        "Rechts, senkrecht zu *BC* und zur Bahn von *C* gesehen: beide dort in wahrer Länge."
-    ),
-    "balls plane": "Die Ebene durch *B* senkrecht zu *BC* erscheint dort als Gerade.",
-    "balls line": "Die Bahn von *C*: ihre Richtung hat die Geschwindigkeit von *C*.",
     "balls ahead": "vor",
     "balls behind": "hinter",
-    "balls front": "längs *D* gesehen",
-    "balls top": "längs *A* gesehen",
-    "balls third": "*BC* und Bahn von *C* in wahrer Länge",
+    "balls crank": (
+        "Unten, längs der Achse von *A* gesehen: die Kurbel *AB* = {size} {unit} steht bei "
+        "{angle}° vom gemeinsamen Lot."
+    ),
+    "balls path of C": (
+        "Oben, längs der Achse von *D* gesehen: *C* läuft auf diesem Kreis mit *DC* = {size} "
+        "{unit}."
+    ),
+    "balls front": "*A* und *B* stehen in dieser Ansicht senkrecht darüber.",
+    "balls compass": (
+        "*B* steht {height} {unit} {side} der Ebene dieses Kreises: hier ist *BC* = √({size}² − "
+        "{height}²) = {reach} {unit} lang."
+    ),
+    "balls C": (
+        "Beide Kreise schneiden sich in *C*: die Koppel *BC* und die Schwinge *DC* bei {theta} = "
+        "{angle}° vom gemeinsamen Lot."
+    ),
+    "balls top": "Senkrecht darunter ergänzt *C* Koppel und Schwinge in der unteren Ansicht.",
+    "balls third": (
+        "Rechts eine Ansicht senkrecht zu *BC* und zur Bahn von *C*: beide haben die wahre Länge."
+    ),
+    "balls lines": (
+        "Die Ebene durch *B* senkrecht zu *BC* erscheint dort als Gerade; die Geschwindigkeit "
+        "von *C* liegt längs seiner Bahn."
+    ),
+    "balls along D": "längs *D* gesehen",
+    "balls along A": "längs *A* gesehen",
+    "balls along both": "*BC* und Bahn von *C* in wahrer Länge",
     # Pläne
     "balls path": "Bahn von *C*",
     "balls remark": "gesehen wie *BC* rechts im Lageplan; die Koppel dreht sich nicht um *BC*",
     "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, die Geschwindigkeit von "
-        "*B*; diese Ansicht zeigt {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; die Ansicht "
+        "zeigt {seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; diese Ansicht "
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; die Ansicht "
         "zeigt {seen} {unit}."
     ),
     "balls normal": (
         "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}; "
-        "diese Ansicht zeigt {seen} {unit}."
+        "die Ansicht zeigt {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}: das Quadrat der Geschwindigkeit von *C* "
-        "relativ zu *B* durch *BC*, von *C* nach *B*."
+        "{label} = {speed}/{size} = {seen} {unit}, von *C* nach *B*: das Quadrat der relativen "
+        "Geschwindigkeit durch *BC*."
     ),
-    "balls line BC velocity": (
-        "⟂ *BC* durch {point}: die Koppel behält ihre Länge, also liegt {meeting} in einer Ebene "
-        "⟂ *BC*: diese Gerade."
-    ),
+    "balls line BC velocity": "⟂ *BC* durch {point}, denn *BC* behält seine Länge",
     "balls line DC velocity": (
-        "∥ Bahn von *C* durch {point}: *C* kann sich nur so bewegen, also liegt {meeting} darauf, "
-        "in wahrer Länge."
+        "∥ Bahn von *C* durch {point}, denn *C* bewegt sich längs seiner Bahn"
     ),
-    "balls line BC acceleration": (
-        "⟂ *BC* durch {point}: längs *BC* ist alles angetragen, also liegt {meeting} in einer "
-        "Ebene ⟂ *BC*: diese Gerade."
-    ),
-    "balls line DC acceleration": (
-        "∥ Bahn von *C* durch {point}: von {symbol}·*DC* ist nur die Richtung bekannt, also liegt "
-        "{meeting} darauf."
-    ),
+    "balls line BC acceleration": "⟂ *BC* durch {point}, für den Anteil von *α₃*",
+    "balls line DC acceleration": "∥ Bahn von *C* durch {point}, für den von {symbol}",
     "balls coupler velocity": (
-        "{label} = {value} {unit} hier, {off} {unit} aus dem Papier heraus, zusammen {symbol} = "
+        "{label} = {value} {unit} hier und {off} {unit} senkrecht zum Blatt, zusammen {symbol} = "
         "{whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} hier, {off} {unit} aus dem Papier heraus, zusammen {symbol} = "
+        "{label} = {value} {unit} hier und {off} {unit} senkrecht zum Blatt, zusammen {symbol} = "
         "{whole}/{size} = {rate} {rad/s²}."
     ),
-    "balls rocker velocity": (
-        "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}: {label} ist die "
-        "Geschwindigkeit von *C*."
-    ),
+    "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} in dieser Ansicht, {whose}.",
+    "balls whole": "{label} = {value} {unit} in dieser Ansicht.",
     # Bilder und Tabellen von Läufen, und Kennwerte
     "angle of the driver": "Winkel {link:des}",
     "position of the driver": "Lage {link:des}",

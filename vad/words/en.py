@@ -173,6 +173,9 @@ PHRASES = {
     ),
     "crossing": "{letter} is where both lines cross.",
     "crossing zero": "{letter} is where both lines cross: {found}.",
+    "lines and crossing": "{one}; {other}. {crossing}",
+    "line and crossing": "{one}. {crossing}",
+    "line alone": "{one}.",
     "zero": "at {point}, so {symbol} is zero",
     "pole crossing": "The pole {letter} is where both lines cross: {point} stands still.",
     "measured omega": (
@@ -271,75 +274,69 @@ PHRASES = {
     # --- the spherical four-bar, and polygons of bodies
     # position
     "spherical along": "along {axis}",
-    "spherical outline": (
-        "The sphere, seen square to the plane of the frame: its outline is the great circle of the "
-        "frame."
+    "spherical frame": (
+        "The fixed axes pierce the sphere about *O* at *A* and *D*, {size}° apart; *OA* and *OD* "
+        "lie in the paper."
     ),
-    "spherical axes": "The axes *OA* and *OD* lie in the paper: their directions are true.",
-    "spherical O": "All axes meet at *O*, the centre of the sphere.",
-    "spherical shaft": "*A* link turns about *O*{letter}.",
-    "spherical bearing": "Its shaft is held in the frame.",
-    "spherical fixed": "{letter} is where a fixed axis pierces the sphere.",
-    "spherical ground": "*A* and *D* are the fixed axes, {size}° apart.",
-    "spherical circle": "*B* turns about *OA*: its circle is seen on edge.",
-    "spherical rose": "Seen along {axis}, the angle is true.",
-    "spherical reference A": "It is measured from the arc *AD*.",
-    "spherical reference D": "It is measured from the arc *AD*, prolonged beyond *D*.",
-    "spherical true A": "The crank stands at {angle}°.",
-    "spherical angle A": "Its angle counts counter-clockwise, seen from outside.",
-    "spherical true D": "The rocker stands at {symbol} = {angle}°.",
-    "spherical angle D": "{symbol} counts counter-clockwise, seen from outside.",
-    "spherical crank": "The crank *AB* = {size}° stands at {angle}°.",
-    "spherical B": "*B* is at its end.",
-    "spherical about B": "*C* lies on the circle about *B* with radius *BC* = {size}°.",
-    "spherical about D": (
-        "*C* lies on the circle about *D* with radius *DC* = {size}°, which is seen on edge."
+    "spherical crank angle": (
+        "Seen along *OA*, the crank stands at {angle}°, counter-clockwise from the arc *AD*."
     ),
-    "spherical C": "*C* is where the two circles cross.",
-    "spherical coupler": "The coupler *BC*: it stands at {b}° at *B* and at {c}° at *C*.",
-    "spherical rocker": "The rocker *DC*.",
-    "spherical great circle": "The great circle of the coupler is followed to the outline.",
-    "spherical I": "There, at *I*, it meets the great circle of the frame.",
-    "spherical OI": (
-        "The planes of coupler and frame meet in *OI*: about it the rocker turns relative to the "
-        "crank."
+    "spherical crank": (
+        "*B* turns about *OA* on a circle that is seen as a line: the crank is *AB* = {size}°."
+    ),
+    "spherical C": (
+        "*C* is where two circles cross: about *B* with *BC* = {coupler}°, and about *D* with "
+        "*DC* = {rocker}°, seen as a line."
+    ),
+    "spherical bars": (
+        "The coupler *BC* stands at {b}° at *B* and at {c}° at *C*; *DC* is the rocker."
+    ),
+    "spherical rocker angle": (
+        "Seen along *OD*, the rocker stands at {symbol} = {angle}° from the arc *AD*, produced "
+        "beyond *D*."
+    ),
+    "spherical I": (
+        "The great circles of *BC* and *AD* meet at *I*: the rocker turns about *OI* relative to "
+        "the crank."
     ),
     # polygons of bodies
-    "bodies remark": "1 2 4 in the plane of the frame, 2 3 4 in that of the coupler, laid over",
+    "bodies remark": (
+        "1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into the paper "
+        "about 2 4"
+    ),
     "bodies pole velocity": "The pole: the frame, 1, does not turn.",
     "bodies pole acceleration": "The pole: the frame, 1′, has no angular acceleration.",
     "bodies given": "{label} = {symbol} = {value} {unit}, along {axis}.",
     "bodies turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} turns with "
-        "*OI* in the plane of the frame."
+        "*OI*."
     ),
     "bodies turned coupler": (
-        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: in the plane of the "
-        "coupler {symbol} turns with *OI*, too."
+        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} turns in "
+        "this plane, too."
     ),
     "bodies line 24 velocity": (
-        "∥ *OI* through {point}: *OI* alone lies in the planes of frame and coupler, so about it "
-        "body 4 turns relative to body 2, and {meeting} lies on it."
+        "∥ *OI* through {point}, as the rocker turns about *OI* relative to the crank"
     ),
-    "bodies line 24 acceleration": (
-        "∥ *OI* through {point}: how the turning grows along *OI* is not known yet, so {meeting} "
-        "lies on it."
+    "bodies line 14 velocity": "∥ *OD* through {point}, as it turns about *OD*",
+    "bodies line 23 velocity": (
+        "∥ *OB* through {point}, {arc}° from *OI*, as the coupler turns about *OB* relative to "
+        "the crank"
     ),
-    "bodies line 14": (
-        "∥ *OD* through {point}: the rocker turns about no other line, so {meeting} lies on it."
+    "bodies line 43 velocity": (
+        "∥ *OC* through {point}, {arc}° from *OI*, as it turns about *OC* relative to the rocker"
     ),
+    "bodies line 24 acceleration": "∥ *OI* through {point}, the direction of *α₄₂ₜ*",
+    "bodies line 14 acceleration": "∥ *OD* through {point}, that of *α₄*",
+    "bodies line 23 acceleration": (
+        "∥ *OB* through {point}, {arc}° from *OI*, the direction of *α₃₂*"
+    ),
+    "bodies line 43 acceleration": "∥ *OC* through {point}, {arc}° from *OI*, that of *α₃₄*",
     "bodies fold": (
-        "The plane of the coupler is laid over into the paper, about *OI*: *OB* and *OC* lie in "
-        "true direction."
+        "The plane of the coupler is turned about *OI* into the paper: *OB* and *OC* are true "
+        "there."
     ),
-    "bodies line 23": (
-        "∥ laid-over *OB* through {point}, {arc}° from *OI*: about *OB* the coupler turns "
-        "relative to the crank, so {meeting} lies on it."
-    ),
-    "bodies line 43": (
-        "∥ *OC* through {point}, {arc}° from *OI*: about *OC* the coupler turns relative to the "
-        "rocker, so {meeting} lies on it."
-    ),
+    "bodies fold again": "Again the plane of the coupler is turned about *OI* into the paper.",
     "bodies sines": (
         "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
         "{di}°."
@@ -439,65 +436,57 @@ PHRASES = {
     # position
     "hooke along": "seen along shaft 2",
     "hooke plan": "plane of the shafts",
-    "hooke shaft 2": "Below, the plane of the shafts in true size: shaft 2 drives.",
-    "hooke bearing": "Shaft {shaft} turns in the frame.",
-    "hooke shaft 4": "Shaft 4 is driven.",
-    "hooke axes": "The shafts meet at *O*.",
-    "hooke angle": "The angle between the shafts is {angle}°.",
-    "hooke O": "Above, *O* as seen along shaft 2.",
-    "hooke plane": "Seen along shaft 2, the plane of the shafts is the horizontal line.",
-    "hooke circle": "*P* turns about shaft 2: seen along it, on a circle.",
-    "hooke OP": "*P*, the pin of yoke 2, stands at {angle}°: *OP* is one arm of the cross.",
-    "hooke theta 2": "Its angle is measured from the plane of the shafts.",
+    "hooke shafts": (
+        "The shafts 2 and 4 meet at *O*, {angle}° apart: below in true size, above seen along "
+        "shaft 2."
+    ),
+    "hooke P": (
+        "*P*, the pin of yoke 2, runs on this circle and stands at {angle}°; *OP* is one arm of "
+        "the cross."
+    ),
     "hooke ellipse": (
-        "*Q* turns about shaft 4: this circle is seen as an ellipse, its width times cos {angle}°."
+        "*Q*, the pin of yoke 4, turns about shaft 4: its circle is seen as an ellipse, its "
+        "width times cos {angle}°."
     ),
-    "hooke OQ": (
-        "*OQ* is square to *OP*; *P* stands in the plane of this view, so the right angle is seen: "
-        "*Q* is on this line."
+    "hooke Q": (
+        "*OP* lies in the paper, so its right angle with *OQ* is seen true: *Q* is where this "
+        "line meets the ellipse."
     ),
-    "hooke Q": "*Q*, the pin of yoke 4, is where the line meets the ellipse.",
-    "hooke arm": "*OQ* is the other arm of the cross.",
-    "hooke turned": "Parallel to the plane of the shafts, *Q* is turned into this view.",
+    "hooke theta 4": (
+        "*Q* is moved to the circle, parallel to the plane of the shafts: there {theta} = "
+        "{value}° is true, tan {theta} = {ratio}."
+    ),
     "hooke ratio": "tan {theta} / cos {shafts}",
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
-    "hooke theta 4": "There its angle is true: {theta} = {value}°, for tan {theta} = {ratio}.",
-    "hooke projectors": "*P* and *Q* in the plan: straight below.",
-    "hooke P plan": "The arm of *P* in the plan.",
-    "hooke Q plan": (
-        "The arm of *Q* in the plan: cross 3 swings by *ψ_P* = {at_p}° about *P*, by *ψ_Q* = "
-        "{at_q}° about *Q*."
+    "hooke plan view": (
+        "*P*, *Q* and the yokes stand straight below; cross 3 swings by *ψ_P* = {at_p}° about "
+        "*P*, by *ψ_Q* = {at_q}° about *Q*."
     ),
-    "hooke yoke": "Yoke {shaft} holds the pin {pin}.",
-    "hooke fork": "Yoke {shaft} as seen along shaft 2.",
-    "hooke PQ": "The line from {one} to {other}, on the far side of the plane of the shafts.",
-    "hooke T": "It pierces that plane at *T*.",
-    "hooke T below": "*T* is taken down into the plan.",
-    "hooke T plan": "Straight below, *T* stands in the plan.",
-    "hooke OT": "*OT* is where the plane of the cross cuts that of the shafts.",
+    "hooke T": (
+        "The line between the ends {one} and {other} of the arms meets the plane of the shafts "
+        "at *T*."
+    ),
+    "hooke OT": (
+        "*T*, taken straight down, gives *OT*: there the plane of the cross cuts that of the "
+        "shafts."
+    ),
     # the polygons
     "hooke speeds": "speeds over a turn",
     "hooke shaft": "shaft {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* through {point}: relative to yoke 2, yoke 4 can turn only about lines in the "
-        "plane of the cross; *OT* alone lies in that of the shafts, too, so {meeting} lies on it."
+        "∥ *OT* through {point}, as *ω₄₂* lies in the plane of the cross and in that of the shafts"
     ),
-    "hooke line 24 acceleration": (
-        "∥ *OT* through {point}: how the turning grows along *OT* is not known yet, so {meeting} "
-        "lies on it."
+    "hooke line 14 velocity": "∥ shaft 4 through {point}, as yoke 4 turns about it",
+    "hooke line 23 velocity": (
+        "∥ *OP* through {point}, as the cross turns about *OP* relative to yoke 2"
     ),
-    "hooke line 14": (
-        "∥ shaft 4 through {point}: it turns about no other line, so {meeting} lies on it."
-    ),
-    "hooke fold": "The plane of the cross is laid over into that of the shafts, about *OT*.",
-    "hooke line 23": (
-        "∥ laid-over *OP* through {point}: about *OP* the cross turns relative to yoke 2, so "
-        "{meeting} lies on it."
-    ),
-    "hooke line 43": (
-        "∥ *OQ* through {point}, square to the other line: {meeting} lies on the circle whose "
-        "diameter is 24."
+    "hooke line 43 velocity": "∥ *OQ* through {point}, as it turns about *OQ* relative to yoke 4",
+    "hooke line 24 acceleration": "∥ *OT* through {point}, the direction of *α₄₂ₜ*",
+    "hooke line 14 acceleration": "∥ shaft 4 through {point}, that of *α₄*",
+    "hooke fold": (
+        "The plane of the cross is turned about *OT* into the plane of the shafts: *OP* and *OQ* "
+        "are true there."
     ),
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} turns with "
@@ -661,169 +650,115 @@ PHRASES = {
     # position
     "spatial star": "along *DA*",
     "spatial rose": "along *OA*",
-    "spatial a": "The axis *a* of the crank is fixed.",
-    "spatial d": "So is the axis *d* of the rocker.",
-    "spatial AD": (
-        "*AD* = {size} {unit} is their common normal; *d* is twisted against *a* by {twist}°."
+    "spatial frame": (
+        "*AD* = {size} {unit} is the common normal of the fixed axes *a* and *d*, twisted by "
+        "{twist}°; the rocker also slides on *d*."
     ),
-    "spatial shaft": "The crank turns about *a*.",
-    "spatial bearing": "It is held in a bearing: it does not slide.",
-    "spatial A": "*A* is where the common normal meets *a*.",
-    "spatial D sleeve": (
-        "In its sleeve in the frame the rocker turns about *d* and slides along it."
+    "spatial crank": (
+        "The crank *AB* = {size} {unit} stands at {angle}° from *AD*, as seen along *OA*."
     ),
-    "spatial D": "*D* is where the common normal meets *d*.",
-    "spatial crank": "The crank *AB* = {size} {unit} stands at {angle}°.",
-    "spatial circle": "Seen along *a*, *B* runs on a circle.",
-    "spatial reference": "The angle is measured from *AD*.",
-    "spatial true": "Here the crank is seen in true direction.",
-    "spatial angle": "Its angle is {angle}°.",
-    "spatial b": "Its axis at *B* is square to *AB*, and twisted against *a* by {twist}°.",
-    "spatial B sleeve": "In its sleeve at *B* the coupler turns and slides.",
+    "spatial b": (
+        "Its axis at *B* is square to *AB*, {twist}° from *a*; on it the coupler turns and slides."
+    ),
     "spatial directions": (
-        "The directions are those of the spherical four-bar with arcs {ground}°, {crank}°, "
-        "{coupler}°, {rocker}°: lengths turn nothing."
+        "The directions are those of the spherical four-bar that has the twists as arcs; *OI* is "
+        "at *τ* = {tau}° from *OA*."
     ),
-    "spatial true directions": "Seen along *DA*, they lie in the paper: *OA* and *OD* are true.",
-    "spatial I": (
-        "There the planes of frame and coupler meet in *OI*, *τ* = {tau}° from *OA*: about it the "
-        "rocker turns relative to the crank."
+    "spatial slides": "Three lengths close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}.",
+    "spatial bars": (
+        "The coupler *BC* = {coupler} {unit}, and the rocker *DC* = {rocker} {unit} at *θ₄* = "
+        "{theta}°."
     ),
-    "spatial c": "From there the axis at *C* has its direction.",
-    "spatial slides B": (
-        "Three lengths close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
+    "spatial H": (
+        "The rocker turns about *I* and slides along *I* relative to the crank; *AH* = {height} "
+        "{unit}."
     ),
-    "spatial slides C": "*s_C* = {c} {unit}, from the rocker to the foot of *BC*.",
-    "spatial slides D": "*s_D* = {d} {unit}, from *D* to the foot of the rocker.",
-    "spatial coupler": (
-        "The coupler: from its shaft in *B* along the common normal *BC* = {size} {unit}."
-    ),
-    "spatial C sleeve": "At *C* it holds the rocker in a sleeve.",
-    "spatial rocker": (
-        "The rocker *DC* = {size} {unit} with its shafts in *C* and *D*: *θ₄* = {theta}°."
-    ),
-    "spatial C": "*C* is the foot of *BC* on its axis.",
-    "spatial screw": "About *I* the rocker turns relative to the crank, and it slides along *I*.",
-    "spatial H": "*I* crosses *AD* at *H*, square to it: *AH* = {height} {unit}.",
     # the lower polygons
     "spatial pole velocity": (
-        "Below, *A* as a point of the rocker; at the pole *A* and *D* of the frame, which stand "
-        "still."
+        "Below, *A* as a point of the rocker; the fixed points *A* and *D* are at the pole."
     ),
-    "spatial pole acceleration": (
-        "Below, *A* as a point of the rocker; at the pole *A* and *D* of the frame, which stand "
-        "still."
-    ),
+    "spatial pole acceleration": "Below, again *A* as a point of the rocker.",
     "spatial about I velocity": (
-        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* as a point of the "
-        "rocker turns relative to the crank about *I*."
+        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I* "
+        "relative to the crank."
     ),
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: it turns "
-        "faster about *I*, and *I* itself moves."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *I* "
+        "itself moves, too."
     ),
     "spatial about D": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: with the rocker it "
-        "turns about *D*."
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* turns about "
+        "*D*, too."
     ),
-    "spatial along I velocity": (
-        "∥ *OI* through {point}: how fast it slides along *I* is not known yet, so {meeting} lies "
-        "on it."
-    ),
-    "spatial along I acceleration": (
-        "∥ *OI* through {point}: what is along *I* is not known yet, so {meeting} lies on it."
-    ),
-    "spatial along D velocity": (
-        "∥ *OD* through {point}: how fast it slides along *d* is not known yet, so {meeting} lies "
-        "on it."
-    ),
-    "spatial along D acceleration": (
-        "∥ *OD* through {point}: what is along *d* is not known yet, so {meeting} lies on it."
-    ),
+    "spatial along I": "∥ *OI* through {point}",
+    "spatial along D": "∥ *OD* through {point}, as *A* slides along both axes",
     # --- the ball-jointed four-bar
     # position
-    "balls A": "Below, the crank as seen along the axis of *A*.",
-    "balls crank path": "There *B* runs on a circle in true shape.",
-    "balls crank": "The crank *AB* = {size} {unit} stands at {angle}°.",
-    "balls crank angle": "Its angle is measured from the common normal of both axes.",
-    "balls D": "Above, the rocker as seen along the axis of *D*.",
-    "balls rocker path": "There *C* runs on a circle in true shape.",
-    "balls A front": "*A* in this view.",
-    "balls B front": "*B* in this view: straight above.",
-    "balls AB front": "The crank in this view.",
-    "balls compass": (
-        "*B* stands {height} {unit} {side} the plane of the circle of *C*: seen from here, *C* is "
-        "√({size}² − {height}²) = {reach} {unit} from *B*."
-    ),
-    "balls C": "*C* is where both circles meet.",
-    "balls BC front": "The coupler *BC*.",
-    "balls rocker": "The rocker *DC* stands at {theta} = {angle}°.",
-    "balls rocker angle": "Its angle is measured from the common normal, too.",
-    "balls C top": "*C* in the view below: straight below.",
-    "balls D top": "*D* in the view below.",
-    "balls DC top": "The rocker in the view below, its circle on edge or at a slant.",
-    "balls BC top": "The coupler in the view below.",
-    "balls BC third": (
-        "To the right, seen square to *BC* and to the path of *C*: both are there in true length."
-    ),
-    "balls plane": "The plane through *B* square to *BC* is there seen as a line.",
-    "balls line": "The path of *C*: its velocity lies along this line.",
     "balls ahead": "in front of",
     "balls behind": "behind",
-    "balls front": "seen along *D*",
-    "balls top": "seen along *A*",
-    "balls third": "*BC* and path of *C* in true length",
+    "balls crank": (
+        "Below, seen along the axis of *A*: the crank *AB* = {size} {unit} stands at {angle}° "
+        "from the common normal."
+    ),
+    "balls path of C": (
+        "Above, seen along the axis of *D*: *C* runs on this circle with *DC* = {size} {unit}."
+    ),
+    "balls front": "*A* and *B* stand straight above in this view.",
+    "balls compass": (
+        "*B* stands {height} {unit} {side} the plane of this circle, so here *BC* is √({size}² − "
+        "{height}²) = {reach} {unit} long."
+    ),
+    "balls C": (
+        "Both circles meet at *C*: the coupler *BC*, and the rocker *DC* at {theta} = {angle}° "
+        "from the common normal."
+    ),
+    "balls top": "Straight below, *C* completes the coupler and the rocker in the lower view.",
+    "balls third": (
+        "On the right a view square to *BC* and to the path of *C*: both have their true length."
+    ),
+    "balls lines": (
+        "The plane through *B* square to *BC* is seen as a line there; the velocity of *C* lies "
+        "along its path."
+    ),
+    "balls along D": "seen along *D*",
+    "balls along A": "seen along *A*",
+    "balls along both": "*BC* and path of *C* in true length",
     # polygons
     "balls path": "path of *C*",
     "balls remark": "seen as *BC* to the right of the views; the coupler does not spin about *BC*",
     "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, the velocity of *B*, of "
-        "which this view shows {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; the view shows "
+        "{seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}, of which this "
-        "view shows {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; the view shows "
+        "{seen} {unit}."
     ),
     "balls normal": (
-        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} towards "
-        "{tail}, of which this view shows {seen} {unit}."
+        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}; "
+        "the view shows {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}: the square of *C*’s velocity relative to *B* "
-        "over *BC*, from *C* towards *B*."
+        "{label} = {speed}/{size} = {seen} {unit}, from *C* to *B*: the square of the relative "
+        "velocity of *C* over *BC*."
     ),
-    "balls line BC velocity": (
-        "⟂ *BC* through {point}: the coupler keeps its length, so {meeting} lies in a plane "
-        "square to *BC*, seen as this line."
-    ),
-    "balls line DC velocity": (
-        "∥ the path of *C* through {point}: *C* can move no other way, so {meeting} lies on it, "
-        "in true length."
-    ),
-    "balls line BC acceleration": (
-        "⟂ *BC* through {point}: along *BC* all is laid off, so {meeting} lies in a plane square "
-        "to *BC*, seen as this line."
-    ),
-    "balls line DC acceleration": (
-        "∥ the path of *C* through {point}: only the direction of {symbol}·*DC* is known, so "
-        "{meeting} lies on it."
-    ),
+    "balls line BC velocity": "⟂ *BC* through {point}, as *BC* keeps its length",
+    "balls line DC velocity": "∥ the path of *C* through {point}, as *C* moves along it",
+    "balls line BC acceleration": "⟂ *BC* through {point}, for the part of *α₃*",
+    "balls line DC acceleration": "∥ the path of *C* through {point}, for that of {symbol}",
     "balls coupler velocity": (
-        "{label} = {value} {unit} here and {off} {unit} off the paper, together {symbol} = "
+        "{label} = {value} {unit} here and {off} {unit} square to the paper, together {symbol} = "
         "{whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} here and {off} {unit} off the paper, together {symbol} = "
+        "{label} = {value} {unit} here and {off} {unit} square to the paper, together {symbol} = "
         "{whole}/{size} = {rate} {rad/s²}."
     ),
-    "balls rocker velocity": (
-        "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}: {label} is the "
-        "velocity of *C*."
-    ),
+    "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} in this view, {whose}.",
+    "balls whole": "{label} = {value} {unit} in this view.",
     # plots and tables of sweeps, and figures of merit
     "angle of the driver": "angle of the {link}",
     "position of the driver": "position of the {link}",

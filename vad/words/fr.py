@@ -170,6 +170,9 @@ PHRASES = {
     ),
     "crossing": "{letter} est à l’intersection des deux droites.",
     "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
+    "lines and crossing": "{one} ; {other}. {crossing}",
+    "line and crossing": "{one}. {crossing}",
+    "line alone": "{one}.",
     "zero": "en {point}, donc {symbol} vaut zéro",
     "pole crossing": (
         "Le pôle {letter} est à l’intersection des deux droites : {point} est immobile."
@@ -271,76 +274,65 @@ PHRASES = {
     # --- le quadrilatère sphérique et les polygones de corps
     # position
     "spherical along": "suivant {axis}",
-    "spherical outline": (
-        "La sphère, vue perpendiculairement au plan du bâti : son contour est le grand cercle du "
-        "bâti."
+    "spherical frame": (
+        "Les axes fixes percent la sphère de centre *O* en *A* et en *D*, à {size}° ; *OA* et "
+        "*OD* sont dans la feuille."
     ),
-    "spherical axes": "Les axes *OA* et *OD* sont dans la feuille : leurs directions sont vraies.",
-    "spherical O": "Tous les axes se coupent en *O*, le centre de la sphère.",
-    "spherical shaft": "Un élément tourne autour de *O*{letter}.",
-    "spherical bearing": "Son arbre est porté par le bâti.",
-    "spherical fixed": "En {letter}, un axe fixe perce la sphère.",
-    "spherical ground": "*A* et *D* sont les axes fixes, à {size}° l’un de l’autre.",
-    "spherical circle": "*B* tourne autour de *OA* : son cercle est vu par la tranche.",
-    "spherical rose": "Vu suivant {axis}, l’angle est en vraie grandeur.",
-    "spherical reference A": "Il se mesure à partir de l’arc *AD*.",
-    "spherical reference D": "Il se mesure à partir de l’arc *AD*, prolongé au-delà de *D*.",
-    "spherical true A": "La manivelle est à {angle}°.",
-    "spherical angle A": "Son angle se compte dans le sens direct, vu de l’extérieur.",
-    "spherical true D": "Le balancier est à {symbol} = {angle}°.",
-    "spherical angle D": "{symbol} est compté dans le sens trigonométrique, vu de l’extérieur.",
-    "spherical crank": "La manivelle *AB* = {size}° est à {angle}°.",
-    "spherical B": "*B* est à son extrémité.",
-    "spherical about B": "*C* est sur le cercle de centre *B* et de rayon *BC* = {size}°.",
-    "spherical about D": (
-        "*C* est sur le cercle de centre *D* et de rayon *DC* = {size}°, vu par la tranche."
+    "spherical crank angle": (
+        "Vue suivant *OA*, la manivelle est à {angle}° de l’arc *AD*, dans le sens trigonométrique."
     ),
-    "spherical C": "*C* est à l’intersection des deux cercles.",
-    "spherical coupler": "La bielle *BC* : elle est à {b}° en *B* et à {c}° en *C*.",
-    "spherical rocker": "Le balancier *DC*.",
-    "spherical great circle": "On suit le grand cercle de la bielle jusqu’au contour.",
-    "spherical I": "Là, en *I*, il rencontre le grand cercle du bâti.",
-    "spherical OI": (
-        "Les plans de la bielle et du bâti se coupent suivant *OI* : c’est autour de cet axe que "
-        "le balancier tourne par rapport à la manivelle."
+    "spherical crank": (
+        "*B* tourne autour de *OA* sur un cercle vu par la tranche : la manivelle est *AB* = "
+        "{size}°."
+    ),
+    "spherical C": (
+        "*C* est à l’intersection de deux cercles : autour de *B*, *BC* = {coupler}° ; autour de "
+        "*D*, *DC* = {rocker}°, vu par la tranche."
+    ),
+    "spherical bars": "La bielle *BC* est à {b}° en *B* et à {c}° en *C* ; *DC* est le balancier.",
+    "spherical rocker angle": (
+        "Vu suivant *OD*, le balancier est à {symbol} = {angle}° de l’arc *AD* prolongé."
+    ),
+    "spherical I": (
+        "Les grands cercles de *BC* et de *AD* se coupent en *I* : le balancier tourne autour de "
+        "*OI* par rapport à la manivelle."
     ),
     # polygones de corps
-    "bodies remark": "1 2 4 dans le plan du bâti, 2 3 4 dans celui de la bielle, rabattu",
+    "bodies remark": (
+        "1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu autour de 2 4"
+    ),
     "bodies pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
     "bodies pole acceleration": "Le pôle : le bâti, 1′, n’a pas d’accélération angulaire.",
     "bodies given": "{label} = {symbol} = {value} {unit}, suivant {axis}.",
     "bodies turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne avec "
-        "*OI* dans le plan du bâti."
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
+        "avec *OI*."
     ),
     "bodies turned coupler": (
-        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : dans le plan de la "
-        "bielle aussi, {symbol} tourne avec *OI*."
+        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
+        "aussi dans ce plan."
     ),
     "bodies line 24 velocity": (
-        "Par {point}, la parallèle à *OI* : seul *OI* est dans les plans du bâti et de la bielle, "
-        "donc 4 tourne autour de *OI* par rapport à 2, et {meeting} y est."
+        "∥ *OI* par {point}, car le balancier tourne autour de *OI* par rapport à la manivelle"
     ),
-    "bodies line 24 acceleration": (
-        "Par {point}, la parallèle à *OI* : on ne sait pas encore de combien la rotation croît "
-        "suivant *OI*, donc {meeting} y est."
+    "bodies line 14 velocity": "∥ *OD* par {point}, car il tourne autour de *OD*",
+    "bodies line 23 velocity": (
+        "∥ *OB* par {point}, à {arc}° de *OI*, car la bielle tourne autour de *OB* par rapport à "
+        "la manivelle"
     ),
-    "bodies line 14": (
-        "Par {point}, la parallèle à *OD* : le balancier ne tourne qu’autour de *OD*, donc "
-        "{meeting} y est."
+    "bodies line 43 velocity": (
+        "∥ *OC* par {point}, à {arc}° de *OI*, car elle tourne autour de *OC* par rapport au "
+        "balancier"
     ),
+    "bodies line 24 acceleration": "∥ *OI* par {point}, la direction de *α₄₂ₜ*",
+    "bodies line 14 acceleration": "∥ *OD* par {point}, celle de *α₄*",
+    "bodies line 23 acceleration": "∥ *OB* par {point}, à {arc}° de *OI*, la direction de *α₃₂*",
+    "bodies line 43 acceleration": "∥ *OC* par {point}, à {arc}° de *OI*, celle de *α₃₄*",
     "bodies fold": (
-        "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y sont en "
-        "vraie direction."
+        "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y sont "
+        "vrais."
     ),
-    "bodies line 23": (
-        "Par {point}, la parallèle à *OB* rabattu, à {arc}° de *OI* : la bielle tourne autour de "
-        "*OB* par rapport à la manivelle, donc {meeting} y est."
-    ),
-    "bodies line 43": (
-        "Par {point}, la parallèle à *OC*, à {arc}° de *OI* : la bielle tourne autour de *OC* par "
-        "rapport au balancier, donc {meeting} y est."
-    ),
+    "bodies fold again": "De nouveau, le plan de la bielle est rabattu autour de *OI*.",
     "bodies sines": (
         "{label} = {symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
         "{di}°."
@@ -448,74 +440,57 @@ PHRASES = {
     # position
     "hooke along": "vu suivant l’arbre 2",
     "hooke plan": "plan des arbres",
-    "hooke shaft 2": "En bas, le plan des arbres en vraie grandeur : l’arbre 2 est moteur.",
-    "hooke bearing": "L’arbre {shaft} tourne dans le bâti.",
-    "hooke shaft 4": "L’arbre 4 est mené.",
-    "hooke axes": "Les arbres se coupent en *O*.",
-    "hooke angle": "L’angle de brisure entre les arbres vaut {angle}°.",
-    "hooke O": "En haut, *O* vu suivant l’arbre 2.",
-    "hooke plane": "Vu suivant l’arbre 2, le plan des arbres est l’horizontale.",
-    "hooke circle": "*P* tourne autour de l’arbre 2 : vu suivant lui, sur un cercle.",
-    "hooke OP": (
-        "*P*, le tourillon de la fourche 2, est à {angle}° : *OP* est un bras du croisillon."
+    "hooke shafts": (
+        "Les arbres 2 et 4 se coupent en *O* sous {angle}° : en bas en vraie grandeur, en haut "
+        "vus suivant l’arbre 2."
     ),
-    "hooke theta 2": "Son angle se mesure à partir du plan des arbres.",
+    "hooke P": (
+        "*P*, le tourillon de la fourche 2, décrit ce cercle et se trouve à {angle}° ; *OP* est "
+        "un bras du croisillon."
+    ),
     "hooke ellipse": (
-        "*Q* tourne autour de l’arbre 4 : ce cercle est vu comme une ellipse, de largeur "
-        "multipliée par cos {angle}°."
-    ),
-    "hooke OQ": (
-        "*OQ* est perpendiculaire à *OP* ; *P* est dans le plan de cette vue, donc l’angle droit "
-        "se voit : *Q* est sur cette droite."
+        "*Q*, le tourillon de la fourche 4, tourne autour de l’arbre 4 : son cercle est vu comme "
+        "une ellipse, de largeur × cos {angle}°."
     ),
     "hooke Q": (
-        "*Q*, le tourillon de la fourche 4, est à l’intersection de la droite et de l’ellipse."
+        "*OP* est dans la feuille, donc son angle droit avec *OQ* se voit en vraie grandeur : "
+        "cette droite coupe l’ellipse en *Q*."
     ),
-    "hooke arm": "*OQ* est l’autre bras du croisillon.",
-    "hooke turned": "Parallèlement au plan des arbres, *Q* est ramené dans cette vue.",
+    "hooke theta 4": (
+        "*Q* est ramené sur le cercle, parallèlement au plan des arbres : {theta} = {value}° y "
+        "est vrai, tan {theta} = {ratio}."
+    ),
     "hooke ratio": "tan {theta} / cos {shafts}",
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
-    "hooke theta 4": (
-        "Là, son angle est en vraie grandeur : {theta} = {value}°, car tan {theta} = {ratio}."
+    "hooke plan view": (
+        "*P*, *Q* et les fourches sont à l’aplomb ; le croisillon 3 pivote de *ψ_P* = {at_p}° "
+        "autour de *P*, de *ψ_Q* = {at_q}° autour de *Q*."
     ),
-    "hooke projectors": "*P* et *Q* dans le plan : à l’aplomb.",
-    "hooke P plan": "Le bras de *P* dans le plan.",
-    "hooke Q plan": (
-        "Le bras de *Q* dans le plan : le croisillon 3 pivote de *ψ_P* = {at_p}° autour de *P*, de "
-        "*ψ_Q* = {at_q}° autour de *Q*."
+    "hooke T": (
+        "La droite qui joint les bouts {one} et {other} des bras perce le plan des arbres en *T*."
     ),
-    "hooke yoke": "La fourche {shaft} tient le tourillon {pin}.",
-    "hooke fork": "La fourche {shaft}, vue suivant l’arbre 2.",
-    "hooke PQ": "La droite de {one} à {other}, de l’autre côté du plan des arbres.",
-    "hooke T": "Elle perce ce plan en *T*.",
-    "hooke T below": "*T* est reporté dans le plan.",
-    "hooke T plan": "À l’aplomb, *T* est dans le plan.",
-    "hooke OT": "*OT* est l’intersection du plan du croisillon et de celui des arbres.",
+    "hooke OT": (
+        "*T*, reporté à l’aplomb, donne *OT* : là, le plan du croisillon coupe celui des arbres."
+    ),
     # polygones
     "hooke speeds": "vitesses sur un tour",
     "hooke shaft": "l’arbre {shaft}",
     "hooke line 24 velocity": (
-        "Par {point}, la parallèle à *OT* : par rapport à la fourche 2, la fourche 4 ne tourne "
-        "qu’autour de droites du plan du croisillon ; seule *OT* est aussi dans celui des arbres, "
-        "donc {meeting} y est."
+        "∥ *OT* par {point}, car *ω₄₂* est dans le plan du croisillon et dans celui des arbres"
     ),
-    "hooke line 24 acceleration": (
-        "Par {point}, la parallèle à *OT* : la croissance de la rotation suivant *OT* n’est pas "
-        "encore connue, donc {meeting} y est."
+    "hooke line 14 velocity": "∥ l’arbre 4 par {point}, car la fourche 4 tourne autour de lui",
+    "hooke line 23 velocity": (
+        "∥ *OP* par {point}, car le croisillon tourne autour de *OP* par rapport à la fourche 2"
     ),
-    "hooke line 14": (
-        "Par {point}, la parallèle à l’arbre 4 : la fourche 4 ne tourne qu’autour de lui, donc "
-        "{meeting} y est."
+    "hooke line 43 velocity": (
+        "∥ *OQ* par {point}, car il tourne autour de *OQ* par rapport à la fourche 4"
     ),
-    "hooke fold": "Le plan du croisillon est rabattu sur celui des arbres autour de *OT*.",
-    "hooke line 23": (
-        "Par {point}, la parallèle à *OP* rabattu : autour de *OP*, le croisillon tourne par "
-        "rapport à la fourche 2, donc {meeting} y est."
-    ),
-    "hooke line 43": (
-        "Par {point}, la parallèle à *OQ*, perpendiculairement à l’autre droite : {meeting} est "
-        "sur le cercle de diamètre 24."
+    "hooke line 24 acceleration": "∥ *OT* par {point}, la direction de *α₄₂ₜ*",
+    "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, celle de *α₄*",
+    "hooke fold": (
+        "Le plan du croisillon est rabattu autour de *OT* sur celui des arbres : *OP* et *OQ* y "
+        "sont vrais."
     ),
     "hooke turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT* : {symbol} tourne avec "
@@ -691,175 +666,119 @@ PHRASES = {
     # position
     "spatial star": "suivant *DA*",
     "spatial rose": "suivant *OA*",
-    "spatial a": "L’axe *a* de la manivelle est fixe.",
-    "spatial d": "De même l’axe *d* du balancier.",
-    "spatial AD": (
-        "*AD* = {size} {unit} est leur normale commune ; *d* est tourné de {twist}° par rapport à "
-        "*a*."
+    "spatial frame": (
+        "*AD* = {size} {unit} est la normale commune des axes fixes *a* et *d*, à {twist}° ; le "
+        "balancier glisse aussi sur *d*."
     ),
-    "spatial shaft": "La manivelle tourne autour de *a*.",
-    "spatial bearing": "Un palier la tient : elle ne glisse pas.",
-    "spatial A": "*A* est le pied de la normale commune sur *a*.",
-    "spatial D sleeve": (
-        "Dans son fourreau du bâti, le balancier tourne autour de *d* et glisse suivant *d*."
-    ),
-    "spatial D": "*D* est le pied de la normale commune sur *d*.",
-    "spatial crank": "La manivelle *AB* = {size} {unit} est à {angle}°.",
-    "spatial circle": "Vu suivant *a*, *B* décrit un cercle.",
-    "spatial reference": "L’angle se compte à partir de *AD*.",
-    "spatial true": "Ici, la manivelle est vue dans sa vraie direction.",
-    "spatial angle": "Son angle est {angle}°.",
+    "spatial crank": "La manivelle *AB* = {size} {unit} est à {angle}° de *AD*, vue suivant *OA*.",
     "spatial b": (
-        "Son axe en *B* est perpendiculaire à *AB*, et tourné de {twist}° par rapport à *a*."
+        "Son axe en *B* est perpendiculaire à *AB*, à {twist}° de *a* ; la bielle y tourne et y "
+        "glisse."
     ),
-    "spatial B sleeve": "Dans son fourreau en *B*, la bielle tourne et glisse.",
     "spatial directions": (
-        "Les directions sont celles du quadrilatère sphérique d’arcs {ground}°, {crank}°, "
-        "{coupler}°, {rocker}° : les longueurs ne font rien tourner."
+        "Les directions sont celles du quadrilatère sphérique ayant ces angles pour arcs ; *OI* "
+        "est à *τ* = {tau}° de *OA*."
     ),
-    "spatial true directions": "Vus suivant *DA*, *OA* et *OD* sont dans le plan du dessin.",
-    "spatial I": (
-        "Les plans du bâti et de la bielle s’y coupent suivant *OI*, *τ* = {tau}° de *OA* : autour "
-        "de *OI* le balancier tourne par rapport à la manivelle."
-    ),
-    "spatial c": "De là, l’axe en *C* a sa direction.",
-    "spatial slides B": (
+    "spatial slides": (
         "Trois longueurs ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
     ),
-    "spatial slides C": "*s_C* = {c} {unit}, du balancier jusqu’au pied de *BC*.",
-    "spatial slides D": "*s_D* = {d} {unit}, de *D* jusqu’au pied du balancier.",
-    "spatial coupler": (
-        "La bielle : de son arbre en *B*, le long de la normale commune *BC* = {size} {unit}."
+    "spatial bars": (
+        "La bielle *BC* = {coupler} {unit}, et le balancier *DC* = {rocker} {unit} à *θ₄* = "
+        "{theta}°."
     ),
-    "spatial C sleeve": "En *C*, elle guide le balancier dans un fourreau.",
-    "spatial rocker": (
-        "Le balancier *DC* = {size} {unit} avec ses arbres en *C* et en *D* : *θ₄* = {theta}°."
+    "spatial H": (
+        "Par rapport à la manivelle, le balancier tourne autour de *I* et glisse suivant *I* ; "
+        "*AH* = {height} {unit}."
     ),
-    "spatial C": "*C* est le pied de *BC* sur son axe.",
-    "spatial screw": (
-        "Autour de *I*, le balancier tourne par rapport à la manivelle, et il glisse suivant *I*."
-    ),
-    "spatial H": "*I* coupe *AD* en *H*, à angle droit : *AH* = {height} {unit}.",
     # les polygones du bas
     "spatial pole velocity": (
-        "Dessous, *A* comme point du balancier ; au pôle, *A* et *D* du bâti, qui sont immobiles."
+        "Dessous, *A* comme point du balancier ; les points fixes *A* et *D* sont au pôle."
     ),
-    "spatial pole acceleration": (
-        "Dessous, *A* comme point du balancier ; au pôle, *A* et *D* du bâti, qui sont immobiles."
-    ),
+    "spatial pole acceleration": "Dessous, encore *A* comme point du balancier.",
     "spatial about I velocity": (
-        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI* : comme point du "
-        "balancier, *A* tourne par rapport à la manivelle autour de *I*."
+        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI* : *A* tourne autour de "
+        "*I* par rapport à la manivelle."
     ),
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* : *A* "
-        "tourne plus vite autour de *I*, et *I* se déplace."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* : *I* "
+        "aussi se déplace."
     ),
     "spatial about D": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : avec le balancier, "
-        "*A* tourne autour de *D*."
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : *A* tourne aussi "
+        "autour de *D*."
     ),
-    "spatial along I velocity": (
-        "Par {point}, la parallèle à *OI* : on ne sait pas encore à quelle vitesse *A* glisse "
-        "suivant *I*, donc {meeting} y est."
-    ),
-    "spatial along I acceleration": (
-        "Par {point}, la parallèle à *OI* : la part suivant *I* n’est pas encore connue, donc "
-        "{meeting} y est."
-    ),
-    "spatial along D velocity": (
-        "Par {point}, la parallèle à *OD* : on ne sait pas encore à quelle vitesse *A* glisse "
-        "suivant *d*, donc {meeting} y est."
-    ),
-    "spatial along D acceleration": (
-        "Par {point}, la parallèle à *OD* : la part suivant *d* n’est pas encore connue, donc "
-        "{meeting} y est."
-    ),
+    "spatial along I": "∥ *OI* par {point}",
+    "spatial along D": "∥ *OD* par {point}, car *A* glisse suivant les deux axes",
     # --- le quadrilatère à rotules
     # position
-    "balls A": "En bas, la manivelle vue suivant l’axe de *A*.",
-    "balls crank path": "*B* y décrit un cercle en vraie grandeur.",
-    "balls crank": "La manivelle *AB* = {size} {unit} est à {angle}°.",
-    "balls crank angle": "Son angle est mesuré depuis la perpendiculaire commune aux deux axes.",
-    "balls D": "En haut, le balancier vu suivant l’axe de *D*.",
-    "balls rocker path": "*C* y décrit un cercle en vraie grandeur.",
-    "balls A front": "*A* dans cette vue.",
-    "balls B front": "*B* dans cette vue : juste au-dessus.",
-    "balls AB front": "La manivelle dans cette vue.",
-    "balls compass": (
-        "*B* est à {height} {unit} {side} le plan du cercle de *C* : vu d’ici, *C* est à √({size}² "
-        "− {height}²) = {reach} {unit} de *B*."
-    ),
-    "balls C": "*C* est à l’intersection des deux cercles.",
-    "balls BC front": "La bielle *BC*.",
-    "balls rocker": "Le balancier *DC* est à {theta} = {angle}°.",
-    "balls rocker angle": "Son angle aussi est mesuré depuis la perpendiculaire commune.",
-    "balls C top": "*C* dans la vue du bas : juste au-dessous.",
-    "balls D top": "*D* dans la vue du bas.",
-    "balls DC top": "Le balancier dans la vue du bas.",
-    "balls BC top": "La bielle dans la vue du bas.",
-    "balls BC third": (
-        "À droite, vus perpendiculairement à *BC* et à la trajectoire de *C* : tous deux en vraie "
-        "grandeur."
-    ),
-    "balls plane": "Le plan passant par *B* et perpendiculaire à *BC* y est vu comme une droite.",
-    "balls line": "La trajectoire de *C* : sa vitesse est suivant cette droite.",
     "balls ahead": "devant",
     "balls behind": "derrière",
-    "balls front": "vu suivant *D*",
-    "balls top": "vu suivant *A*",
-    "balls third": "*BC* et trajectoire de *C* en vraie grandeur",
+    "balls crank": (
+        "En bas, vue suivant l’axe de *A* : la manivelle *AB* = {size} {unit} est à {angle}° de "
+        "la perpendiculaire commune."
+    ),
+    "balls path of C": (
+        "En haut, vu suivant l’axe de *D* : *C* décrit ce cercle, *DC* = {size} {unit}."
+    ),
+    "balls front": "Dans cette vue, *A* et *B* sont juste au-dessus.",
+    "balls compass": (
+        "*B* est à {height} {unit} {side} le plan de ce cercle : ici la longueur de *BC* est "
+        "√({size}² − {height}²) = {reach} {unit}."
+    ),
+    "balls C": (
+        "Les deux cercles se coupent en *C* : la bielle *BC*, et le balancier *DC* à {theta} = "
+        "{angle}° de la perpendiculaire commune."
+    ),
+    "balls top": "Juste au-dessous, *C* complète la bielle et le balancier dans la vue du bas.",
+    "balls third": (
+        "À droite, une vue perpendiculaire à *BC* et à la trajectoire de *C* : tous deux en "
+        "vraie grandeur."
+    ),
+    "balls lines": (
+        "Le plan par *B*, perpendiculaire à *BC*, y est vu comme une droite ; la vitesse de *C* "
+        "est suivant sa trajectoire."
+    ),
+    "balls along D": "vu suivant *D*",
+    "balls along A": "vu suivant *A*",
+    "balls along both": "*BC* et trajectoire de *C* en vraie grandeur",
     # polygones
     "balls path": "trajectoire de *C*",
     "balls remark": "vu comme *BC* à droite des vues ; la bielle ne tourne pas autour de *BC*",
     "balls tangential velocity": (
-        "{label} est la vitesse de *B*, {symbol}·{ends} = {rate} × {size} = {value} {unit} : cette "
-        "vue en montre {seen} {unit}."
+        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; la vue montre "
+        "{seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label} est {symbol}·{ends} = {rate} × {size} = {value} {unit}, perpendiculaire à {ends} "
-        ": cette vue en montre {seen} {unit}."
+        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; la vue montre "
+        "{seen} {unit}."
     ),
     "balls normal": (
-        "{label} est {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail} : "
-        "cette vue en montre {seen} {unit}."
+        "{label} : {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail} ; "
+        "la vue montre {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}, le carré de la vitesse de *C* par rapport à *B* "
-        "divisé par *BC*, de *C* vers *B* en vraie grandeur."
+        "{label} = {speed}/{size} = {seen} {unit}, de *C* vers *B* : le carré de la vitesse "
+        "relative divisé par *BC*."
     ),
-    "balls line BC velocity": (
-        "Par {point}, la perpendiculaire à *BC* : la bielle garde sa longueur, donc {meeting} est "
-        "dans un plan perpendiculaire à *BC*, qui est cette droite."
-    ),
+    "balls line BC velocity": "⟂ *BC* par {point}, car *BC* garde sa longueur",
     "balls line DC velocity": (
-        "Par {point}, la parallèle à la trajectoire de *C* : *C* ne peut pas se déplacer "
-        "autrement, donc {meeting} y est, en vraie grandeur."
+        "∥ la trajectoire de *C* par {point}, car *C* se déplace suivant elle"
     ),
-    "balls line BC acceleration": (
-        "Par {point}, la perpendiculaire à *BC* : suivant *BC* tout est porté, donc {meeting} est "
-        "dans un plan perpendiculaire à *BC*, qui est cette droite."
-    ),
-    "balls line DC acceleration": (
-        "Par {point}, la parallèle à la trajectoire de *C* : de {symbol}·*DC* on ne connaît que la "
-        "direction, donc {meeting} y est."
-    ),
+    "balls line BC acceleration": "⟂ *BC* par {point}, pour la part de *α₃*",
+    "balls line DC acceleration": "∥ la trajectoire de *C* par {point}, pour celle de {symbol}",
     "balls coupler velocity": (
-        "{label} = {value} {unit} ici et {off} {unit} hors du papier : en tout {whole} {unit}, "
-        "donc {symbol} = {whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} ici et {off} {unit} en travers de la feuille, en tout "
+        "{symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} ici et {off} {unit} hors du papier : en tout {whole} {unit}, "
-        "donc {symbol} = {whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} ici et {off} {unit} en travers de la feuille, en tout "
+        "{symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
-    "balls rocker velocity": (
-        "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense} : {label} est la "
-        "vitesse de *C*."
-    ),
+    "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} dans cette vue, {whose}.",
+    "balls whole": "{label} = {value} {unit} dans cette vue.",
     # images et tableaux de balayages, et caractéristiques
     "angle of the driver": "angle {link:du}",
     "position of the driver": "position {link:du}",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, ClassVar
 
+from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.sheet import Curve, Dot
 from vad.strokes.space.body_polygons import BodyScript, Names
@@ -31,8 +32,12 @@ class Script(BodyScript):
     def views(self) -> Drawing:
         fixed, guide, known, _, crossing, *_ = self.pens
         at = self.spots()
-        fixed("outline", circle(0j, 1.0), "outline")
-        guide("axes", Curve((0j, at["A"], 0j, at["D"]), breaks=(2,)), "axes")
-        known("B.known", Dot(at["B"]), "B", "crank", "B")
-        crossing("C.found", Dot(at["C"]), "C", "rocker", "C", reveals=("rocker",))
+        right = Figure(90.0, given=True)
+        self.tell("frame", size=right)
+        fixed("outline", circle(0j, 1.0))
+        guide("axes", Curve((0j, at["A"], 0j, at["D"]), breaks=(2,)))
+        self.tell("crank", size=self.given("crank"))
+        known("B.known", Dot(at["B"]), "crank", "B")
+        self.tell("C", coupler=right, rocker=right)
+        crossing("C.found", Dot(at["C"]), "rocker", "C", reveals=("rocker",))
         return self.finished(("AB", "BC"), ("AD", "DC"))

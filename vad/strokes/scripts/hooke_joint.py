@@ -87,51 +87,57 @@ class Script(BodyScript):
         away, circle = 1j * ray(shafts.value), Ellipse(0j, 1.0 + 0j, 1j, 90.0)
         ellipse = replace(circle, first=vector(unit_at(shafts.value).real, 0.0))
         ways = {"2": ("driving", -1j), "4": ("driven", away)}
+        self.tell("shafts", angle=shafts)
         for shaft, (link, way) in ways.items():
-            ends, phrase = (o + END * way, o + BACK * way), f"shaft {shaft}"
-            self.shaft(shaft, ends, o + BEARING * way, way, link, phrase, shaft, shaft=shaft)
+            ends = o + END * way, o + BACK * way
+            self.shaft(shaft, ends, o + BEARING * way, way, link, shaft)
         axes = AXIS * 1j, o - AXIS * 1j, o - 0.35 * away, o + AXIS * away
-        guide("shafts.axes", Curve(axes, breaks=(2,)), "axes")
+        guide("shafts.axes", Curve(axes, breaks=(2,)))
         arc, label = Arc(o, SHAFTS, 90.0, shafts.value), self.degrees(shafts)
-        angle("shafts.angle", arc, "angle", label=label, angle=shafts)
-        fixed("O.fixed", Dot(0j), "O")
-        guide("plane.axis", through(0j, AXIS + 0j), "plane")
-        known("P.circle", circle, "circle", "driving")
-        known("OP.arm", Arrow(-p, p, "", "P"), "OP", "cross", body=True, angle=self.driven)
-        self.arc("P.angle", "theta 2", 0j, DRIVING, self.driven, "driving")
-        construction("Q.ellipse", ellipse, "ellipse", "driven", angle=shafts)
-        construction("OQ.line", Line(0j, q / abs(q), q, "OP"), "OQ", "cross")
-        crossing("Q.found", Dot(q), "Q", "driven", "Q")
-        bar("OQ.arm", Arrow(-q, q, "", "Q"), "arm", "cross")
+        angle("shafts.angle", arc, label=label)
+        fixed("O.fixed", Dot(0j))
+        guide("plane.axis", through(0j, AXIS + 0j))
+        self.tell("P", angle=self.driven)
+        known("P.circle", circle, "driving")
+        known("OP.arm", Arrow(-p, p, "", "P"), "cross", body=True)
+        self.arc("P.angle", 0j, DRIVING, self.driven, "driving")
+        self.tell("ellipse", angle=shafts)
+        construction("Q.ellipse", ellipse, "driven")
+        self.tell("Q")
+        construction("OQ.line", Line(0j, q / abs(q), q, "OP"), "cross")
+        crossing("Q.found", Dot(q), "driven", "Q")
+        bar("OQ.arm", Arrow(-q, q, "", "Q"), "cross")
+        self.tell("theta 4", theta="θ₄", value=theta, ratio=self._ratio())
         turned = Curve((q, 1j * ray(theta.value)))
-        construction("Q.turned", turned, "turned", "driven")
-        found = {"reveals": ("driven",), "theta": "θ₄", "value": theta, "ratio": self._ratio()}
-        self.arc("Q.angle", "theta 4", 0j, DRIVEN, theta, "driven", "θ₄", 90.0, **found)
-        down = Curve((p, low["P"], q, low["Q"]), breaks=(2,))
-        construction("PQ.projectors", down, "projectors")
+        construction("Q.turned", turned, "driven")
+        self.arc("Q.angle", 0j, DRIVEN, theta, "driven", "θ₄", 90.0, ("driven",))
         at_p, at_q = (self.angle(_swing(self.motion.joint(letter).angle)) for letter in "PQ")
+        self.tell("plan view", at_p=at_p, at_q=at_q)
+        down = Curve((p, low["P"], q, low["Q"]), breaks=(2,))
+        construction("PQ.projectors", down)
         for pin, number, rows in (("P", "", ()), ("Q", "3", ("cross",))):
             arm = Arrow(2 * o - low[pin], low[pin], "", pin)
-            swings = {"at_p": at_p, "at_q": at_q}
-            bar(f"{pin}.plan", arm, f"{pin} plan", "cross", number, reveals=rows, **swings)
+            bar(f"{pin}.plan", arm, "cross", number, reveals=rows)
         own = {"2": ("P", circle, self.driven.value), "4": ("Q", ellipse, 90.0 + theta.value)}
         for shaft, (pin, rim, degrees) in own.items():
             (link, way), end = ways[shaft], low[pin] - o
             yoke = Curve((o + end, o + end + BACK * way, o - end + BACK * way, o - end))
-            bar(f"{shaft}.yoke", yoke, "yoke", link, shaft=shaft, pin=pin)
+            bar(f"{shaft}.yoke", yoke, link)
             fork = [rim.at(degrees + by) for by in (-FORK, 0.0, FORK)]
             both = Curve((*fork, *(-z for z in fork)), breaks=(3,))
-            bar(f"{shaft}.fork", both, "fork", link, shaft=shaft)
+            bar(f"{shaft}.fork", both, link)
         back, ahead = self.place("Q")[0] < 0.0, self.place("P")[0] < 0.0
         start, one = select_vector(back, -p, p), "P" + PRIME if back else "P"
         end, other = select_vector(ahead, q, -q), "Q" if ahead else "Q" + PRIME
         across = Line(start, (end - start) / abs(end - start), end)
-        construction("PQ.line", across, "PQ", "cross", one=one, other=other)
-        crossing("T.found", Dot(t), "T", label="T")
-        construction("T.projector", Curve((t, low["T"])), "T below")
-        crossing("T.plan", Dot(low["T"]), "T plan")  # beside Q there is no room for its letter
+        self.tell("T", one=one, other=other)
+        construction("PQ.line", across, "cross")
+        crossing("T.found", Dot(t), label="T")
+        self.tell("OT")
+        construction("T.projector", Curve((t, low["T"])))
+        crossing("T.plan", Dot(low["T"]))  # beside Q there is no room for its letter
         way = AXIS * (low["T"] - o) / abs(low["T"] - o)
-        construction("OT.line", through(o, way), "OT", "cross")
+        construction("OT.line", through(o, way), "cross")
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
         right = Term(self.scene.write("hooke ratio", theta="θ₂", shafts="β"), "driving", "P.angle")
         notes = self.note(AXIS + 1.2j, "along"), self.note(o + AXIS - 1j, "plan")

@@ -74,51 +74,47 @@ class Script(SlidingScript):
         def axis(point: str, way: str) -> Curve:
             return through(at[point], AXIS * reach * at[way])
 
-        guide("a.axis", axis("A", "a"), "a")
-        guide("d.axis", axis("D", "d"), "d")
-        sizes = {"size": length("ground"), "twist": given("ground_twist")}
-        guide("AD.ground", Curve((at["A"], at["D"])), "AD", **sizes)
+        self.tell("frame", size=length("ground"), twist=given("ground_twist"))
+        guide("a.axis", axis("A", "a"))
+        guide("d.axis", axis("D", "d"))
+        guide("AD.ground", Curve((at["A"], at["D"])))
         bearing = at["A"] - BEARING * reach * at["a"]
         ends = at["A"] - (BEARING + SHAFT) * reach * at["a"], at["A"]
         self.shaft("A", ends, bearing, _way(at["a"]), "crank")
-        fixed("A.fixed", Dot(at["A"]), "A", label="A")
-        fixed("D.sleeve", Block(at["D"], _way(at["d"])), "D sleeve")
-        fixed("D.fixed", Dot(at["D"]), "D", label="D")
-        sizes = {"size": length("crank"), "angle": self.driven}
-        crank = Arrow(at["A"], at["B"], "A", "B")
-        known("AB.crank", crank, "crank", "crank", body=True, **sizes)
-        names = "rose.circle", "rose.reference", "rose.crank", "rose.angle"
-        phrases, radius = ("circle", "reference", "true", "angle"), ROSE * reach
-        radii = radius, 1.5 * radius, 1.3 * radius
-        self.rose(names, phrases, rose, radii, self.driven, "crank")
-        guide("b.axis", axis("B", "b"), "b", twist=given("crank_twist"))
-        known("B.sleeve", Block(at["B"], _way(at["b"])), "B sleeve", "crank")
-        links = "ground", "crank", "coupler", "rocker"
-        arcs = {link: given(f"{link}_twist") for link in links}
+        fixed("A.fixed", Dot(at["A"]), label="A")
+        fixed("D.sleeve", Block(at["D"], _way(at["d"])))
+        fixed("D.fixed", Dot(at["D"]), label="D")
+        self.tell("crank", size=length("crank"), angle=self.driven)
+        names, radius = ("rose.circle", "rose.reference", "rose.crank", "rose.angle"), ROSE * reach
+        self.rose(names, rose, (radius, 1.5 * radius, 1.3 * radius), self.driven, "crank")
+        known("AB.crank", Arrow(at["A"], at["B"], "A", "B"), "crank", body=True)
+        self.tell("b", twist=given("crank_twist"))
+        guide("b.axis", axis("B", "b"))
+        known("B.sleeve", Block(at["B"], _way(at["b"])), "crank")
+        self.tell("directions", tau=self.angle(self.bodies.screw.tau))
         rays = {x: Curve((star, star + RAY * reach * at[f"true {x}"])) for x in "ADI"}
-        known("star.A", rays["A"], "directions", "crank", "OA", **arcs)
-        known("star.D", rays["D"], "true directions", "rocker", "OD", **arcs)
-        tau = self.angle(self.bodies.screw.tau)
-        construction("star.I", rays["I"], "I", "axis", "OI", tau=tau)
-        guide("c.axis", axis("C", "c"), "c")
-        slid = {x.lower(): Figure(at[f"s_{x}"], unit) for x in "BCD"}
+        known("star.A", rays["A"], "crank", "OA")
+        known("star.D", rays["D"], "rocker", "OD")
+        construction("star.I", rays["I"], "axis", "OI")
+        self.tell("slides", **{x.lower(): Figure(at[f"s_{x}"], unit) for x in "BCD"})
+        guide("c.axis", axis("C", "c"))
         for x, (start, end, row) in SLIDES.items():
-            result(f"{x}.slide", Curve((at[start], at[end])), f"slides {x}", row, f"s_{x}", **slid)
+            result(f"{x}.slide", Curve((at[start], at[end])), row, f"s_{x}")
             if abs(at[f"s_{x}"]) <= NOTHING * reach:
                 self.leave_out()
+        sizes = {"coupler": length("coupler"), "rocker": length("rocker")}
+        self.tell("bars", theta=self.angle("rocker"), **sizes)
         begin = at["B"] + copysign(SHAFT * reach, -at["s_B"] + 0.0) * at["b"]
-        coupler = Curve((begin, at["coupler B"], at["C"]))
-        bar("BC.coupler", coupler, "coupler", "axis", size=length("coupler"))
-        result("C.sleeve", Block(at["C"], _way(at["c"])), "C sleeve", "axis")
+        bar("BC.coupler", Curve((begin, at["coupler B"], at["C"])), "axis")
+        result("C.sleeve", Block(at["C"], _way(at["c"])), "axis")
         begin = at["C"] + copysign(SHAFT * reach, at["s_C"] + 0.0) * at["c"]
         end = at["D"] + copysign(SHAFT * reach, -at["s_D"] + 0.0) * at["d"]
         rocker = Curve((begin, at["rocker C"], at["rocker D"], end))
-        sizes = {"size": length("rocker"), "theta": self.angle("rocker")}
-        bar("DC.rocker", rocker, "rocker", "rocker", reveals=("rocker",), **sizes)
-        crossing("C.found", Dot(at["C"]), "C", "axis", "C")
-        construction("I.axis", axis("H", "i"), "screw", "axis", "I")
-        height = Figure(self.bodies.height, unit)
-        crossing("H.found", Dot(at["H"]), "H", label="H", reveals=("axis",), height=height)
+        bar("DC.rocker", rocker, "rocker", reveals=("rocker",))
+        crossing("C.found", Dot(at["C"]), "axis", "C")
+        self.tell("H", height=Figure(self.bodies.height, unit))
+        construction("I.axis", axis("H", "i"), "axis", "I")
+        crossing("H.found", Dot(at["H"]), label="H", reveals=("axis",))
         of_star = self.note(star + (NOTE - 0.8j * RAY) * reach, "star")
         of_rose = self.note(rose - NOTE * reach, "rose")
         right = "AD", "D.slide", "DC.rocker", "C.slide"

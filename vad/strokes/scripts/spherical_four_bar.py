@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from vad.kinematics.numbers import fold, minimum, select
+from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
 from vad.strokes.sheet import Curve, Dot
 from vad.strokes.space.body_polygons import BodyScript, Names
@@ -44,37 +45,41 @@ class Script(BodyScript):
         fixed, guide, known, construction, crossing, _, _, bar = self.pens
         given, sizes, view, at = self.given, self.sizes, self.frame(), self.spots()
         a, b, c, d, i = (self.axis(letter) for letter in "ABCDI")
-        fixed("outline", circle(0j, 1.0, 90.0), "outline")
-        guide("axes", Curve((0j, at["A"], 0j, at["D"]), breaks=(2,)), "axes")
-        fixed("O.fixed", Dot(0j), "O", label="O")
+        self.tell("frame", size=given("ground"))
+        fixed("outline", circle(0j, 1.0, 90.0))
+        guide("axes", Curve((0j, at["A"], 0j, at["D"]), breaks=(2,)))
+        fixed("O.fixed", Dot(0j), label="O")
         for x, link in (("A", "crank"), ("D", "rocker")):
             ends = at[x], END * at[x]
-            self.shaft(x, ends, BEARING * at[x], at[x], link, letter=x)
-            fixed(f"{x}.fixed", Dot(at[x]), "fixed", label=x, letter=x)
-        fixed("AD.arc", view.arc(a, d), "ground", size=given("ground"))
-        known("B.circle", view.edge(a, sizes["crank"]), "circle", "crank")
-        self._rose("A", "AB", "crank", angle=self.driven)
-        more = {"size": given("crank"), "angle": self.driven}
-        known("AB.arc", view.arc(a, b), "crank", "crank", body=True, **more)
-        known("B.known", Dot(at["B"]), "B", "crank", "B")
-        compass, edge = view.about(b, c, COMPASS), view.edge(d, sizes["rocker"])
-        construction("BC.compass", compass, "about B", "B", size=given("coupler"))
-        construction("DC.compass", edge, "about D", "rocker", size=given("rocker"))
-        crossing("C.found", Dot(at["C"]), "C", "B", "C")
-        turns = {"reveals": ("B", "C"), "b": self.angle("B"), "c": self.angle("C")}
-        bar("BC.arc", view.arc(b, c), "coupler", "B", **turns)
-        bar("DC.arc", view.arc(d, c), "rocker", "rocker")
-        self._rose("D", "DC", "rocker", label="θ₄", symbol="θ₄", angle=self.angle("rocker"))
+            self.shaft(x, ends, BEARING * at[x], at[x], link)
+            fixed(f"{x}.fixed", Dot(at[x]), label=x)
+        fixed("AD.arc", view.arc(a, d))
+        self.tell("crank angle", angle=self.driven)
+        self._rose("A", "AB", "crank", self.driven)
+        self.tell("crank", size=given("crank"))
+        known("B.circle", view.edge(a, sizes["crank"]), "crank")
+        known("AB.arc", view.arc(a, b), "crank", body=True)
+        known("B.known", Dot(at["B"]), "crank", "B")
+        self.tell("C", coupler=given("coupler"), rocker=given("rocker"))
+        construction("BC.compass", view.about(b, c, COMPASS), "B")
+        construction("DC.compass", view.edge(d, sizes["rocker"]), "rocker")
+        crossing("C.found", Dot(at["C"]), "B", "C")
+        self.tell("bars", b=self.angle("B"), c=self.angle("C"))
+        bar("BC.arc", view.arc(b, c), "B", reveals=("B", "C"))
+        bar("DC.arc", view.arc(d, c), "rocker")
+        theta = self.angle("rocker")
+        self.tell("rocker angle", symbol="θ₄", angle=theta)
+        self._rose("D", "DC", "rocker", theta, "θ₄")
         from_b, from_c = self.bodies.arc(b), self.bodies.arc(c)
         begin = select(from_b > 0.0, from_b, minimum(0.0, from_c))
         great = view.circle(ORIGIN, i, self.bodies.axis.j, begin, -begin)
-        construction("BC.circle", great, "great circle", "B")
-        crossing("I.found", Dot(at["I"]), "I", label="I")
-        construction("OI.line", Curve((0j, at["I"]), far=True), "OI", "B")
+        self.tell("I")
+        construction("BC.circle", great, "B")
+        crossing("I.found", Dot(at["I"]), label="I")
+        construction("OI.line", Curve((0j, at["I"]), far=True), "B")
         notes = (self.note(z, "along", axis="O" + x) for x, z in NOTES.items())
         return self.finished(("AB.arc", "BC.arc"), ("AD.arc", "DC.arc"), *notes)
 
-    def _rose(self, at: str, bar: str, link: str, **more: Any) -> None:
+    def _rose(self, at: str, bar: str, link: str, angle: Figure, label: str = "") -> None:
         names = f"{at}.rose", f"{at}.reference", f"{bar}.rose", f"{bar}.angle"
-        phrases = "rose", f"reference {at}", f"true {at}", f"angle {at}"
-        self.rose(names, phrases, ROSES[at], SIZES, link=link, axis="O" + at, **more)
+        self.rose(names, ROSES[at], SIZES, angle, link, label)

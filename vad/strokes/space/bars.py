@@ -189,10 +189,8 @@ class BarScript(Script):
         say, topic, panel, ends = self.scene.say, self.topic, order.panel, BARS[link]
         tail, head = (image_letter(letter, order.number) for letter in ends)
         unseen = link == "coupler" and bool(self._off(order))
-        relative = " relative" if link == "coupler" else ""
-        whose = say(f"{panel} of{relative}", head=ends[1], tail=ends[0])
-        summed: Component = "relative" if relative else "absolute"
-        says: dict[str, Any] = {"whole": partial(say, f"{topic} whole", whose=whose)}
+        summed: Component = "relative" if link == "coupler" else "absolute"
+        says: dict[str, Any] = {"whole": partial(say, f"{topic} whole")}
         of_line = {"symbol": self._symbol(link, ACCELERATION)}
         says["line"] = partial(say, f"{topic} line {ends} {panel}", **of_line)
         if link == "crank":

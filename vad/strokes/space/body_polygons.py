@@ -107,7 +107,7 @@ class BodyPolygon:
             [self.one],
             self.scene.say(f"bodies pole {self.panel}"),
             self.unit,
-            fold=self._fold(centre),
+            fold=self._fold(centre) if both else None,
             remark=remark if self.order is VELOCITY else "",
         )
         return drawing if drawing.equations else replace(drawing, remark="")
@@ -124,7 +124,7 @@ class BodyPolygon:
         parts = [self._part(crank, "absolute", bodies.seen(Z), self.crank, dictated=True)]
         size, symbol = along if self.named else abs(along), RELATIVE[self.order.number]
         says: dict[str, Callable[..., Sentence]] = {
-            "line": self._line("24", f" {self.panel}"),
+            "line": self._line("24"),
             "result": self._says("turning measured", "24", size, symbol),
             "whole": partial(self.scene.say, "turning measured", symbol=self._symbol("24")),
         }
@@ -174,7 +174,8 @@ class BodyPolygon:
         turn = bearing(plane(side * dot(axis.j, axis.m), axis.j[0]))
         rim = Ellipse(centre, bodies.seen(axis.i), bodies.seen(axis.j))
         shape = Fold(centre, bodies.seen(axis.i), turn, arms, rim)
-        said = self.scene.say(f"{self.names.topic} fold")
+        again = " again" if self.order is ACCELERATION else ""
+        said = self.scene.say(f"{self.names.topic} fold{again}")
         row = self.names.rows["23"]
         return Stroke("construction", "", shape, said, row, part=StrokePart("", "fold"))
 
@@ -235,12 +236,12 @@ class BodyPolygon:
             parts["axis"] = self.names.axes[ends]
         return partial(self.scene.say, phrase, **parts)
 
-    def _line(self, ends: str, panel: str = "") -> Callable[..., Sentence]:
-        """Return the caption that says why the next vertex lies on the line along an axis."""
+    def _line(self, ends: str) -> Callable[..., Sentence]:
+        """Return the words that say why the next vertex lies on the line along an axis."""
         axis = {"23": self.bodies.axis.b, "43": self.bodies.axis.c}.get(ends)
         arc = {"arc": Figure(abs(self.bodies.arc(axis)), "°")} if axis else {}
-        phrase = f"{self.names.topic} line {ends}{panel}"
-        return partial(self.scene.say, phrase, axis=self.names.axes[ends], **arc)
+        phrase = f"{self.names.topic} line {ends} {self.panel}"
+        return partial(self.scene.say, phrase, **arc)
 
     def _measured(self, ends: str, value: float) -> dict[str, Callable[..., Sentence]]:
         result = self._says("turning measured", ends, value)

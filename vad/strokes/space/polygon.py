@@ -9,7 +9,7 @@ captions serves all mechanisms.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from vad.strokes.arithmetic import Figure
@@ -17,7 +17,7 @@ from vad.strokes.captions import PolygonCaptions
 from vad.strokes.diagram import Drawing, Order
 from vad.strokes.player import Pencil, Player
 from vad.strokes.sentences import Sentence, Unit
-from vad.strokes.sheet import Equation, Stroke, Term
+from vad.strokes.sheet import Equation, Line, Stroke, Term
 from vad.strokes.vector_equations import Chain, Part, Vector, VectorEquation
 
 if TYPE_CHECKING:
@@ -69,9 +69,8 @@ class SpaceCaptions(PolygonCaptions[SpaceVector]):
         return part.of.says[part.name](label=label)
 
     def line(self, part: Part[SpaceVector], point: str, meeting: str) -> Sentence:
-        """Say why the next vertex must lie on a construction line."""
-        place = self.place(point, point in self.fixed)
-        return part.of.says["line"](point=place, meeting=meeting)
+        """Say why the next vertex must lie on a construction line: the first half of a sentence."""
+        return part.of.says["line"](point=self.place(point, point in self.fixed))
 
     def measures(self, part: Part[SpaceVector]) -> str:
         """Return the symbol of the quantity that is zero if a component is."""
@@ -146,14 +145,15 @@ def polygon(
         if each.equation.folded and fold:
             pencil.add(fold)
         player.play(each.equation)
-    drawn = {stroke.name: stroke for stroke in pencil.strokes}
+    strokes = _told_at_once(scene, pencil.strokes)
+    drawn = {stroke.name: stroke for stroke in strokes}
 
     def terms(names: Sequence[str]) -> tuple[Term, ...]:
         found = [drawn[name] for name in names if name in drawn]
         return tuple(Term(s.label, s.link, s.name) for s in found) or (Term("0", None, None),)
 
     return Drawing(
-        tuple(pencil.strokes),
+        strokes,
         tuple(pencil.zeros),
         () if resting else tuple(Equation(terms(s.left), terms(s.right)) for s in stated),
         loops=tuple(player.begins),
@@ -161,3 +161,20 @@ def polygon(
         unit=unit,
         coincident=pencil.coincident,
     )
+
+
+def _told_at_once(scene: SceneInSpace, strokes: Sequence[Stroke]) -> tuple[Stroke, ...]:
+    """Return the strokes with one sentence for construction lines and the crossing after them."""
+    told, lines = list(strokes), []
+    for number, stroke in enumerate(strokes):
+        if isinstance(stroke.shape, Line):
+            lines.append(stroke)
+            told[number] = replace(stroke, said=scene.say("line alone", one=stroke.said))
+            continue
+        if stroke.kind == "intersection" and lines:
+            phrase = "lines and crossing" if len(lines) == 2 else "line and crossing"
+            parts = {"one": lines[0].said, "other": lines[-1].said, "crossing": stroke.said}
+            said, first = scene.say(phrase, **parts), number - len(lines)
+            told[first : number + 1] = (replace(x, said=said) for x in (*lines, stroke))
+        lines = []
+    return tuple(told)

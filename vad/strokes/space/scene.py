@@ -22,7 +22,7 @@ from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import Vector3
 from vad.strokes.arithmetic import Calculation, Figure
 from vad.strokes.diagram import POSITION, Drawing, Order, Spot
-from vad.strokes.sentences import CaptionedMotion, Text, Unit
+from vad.strokes.sentences import CaptionedMotion, Sentence, Text, Unit
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -241,30 +241,32 @@ class Script(ABC):
         """Begin the views without any stroke."""
         self.strokes: list[Stroke] = []
         self.zeros: list[Stroke] = []
+        self._told: str | Sentence = ""
 
     # --- the pen ------------------------------------------------------------------------------
+
+    def tell(self, phrase: str, *calculations: Calculation, **parts: Any) -> None:
+        """Say a phrase of all strokes from here to the next one: they are one step of a lecture."""
+        key = f"{self.topic} {phrase}"
+        given = {"unit": Unit(self.scene.unit), **parts}
+        told = {part: value for part, value in given.items() if part in gaps(key)}
+        self._told = self.scene.say(key, *calculations, **told)
 
     def draw(
         self,
         kind: Kind,
         name: str,
         shape: Shape,
-        phrase: str,
         link: str | None = None,
         label: str = "",
         body: bool = False,
         reveals: tuple[str, ...] = (),
-        calculations: tuple[Calculation, ...] = (),
-        **parts: Any,
     ) -> None:
-        """Draw a stroke, a ``body`` as thick as a link; the phrase takes the ``parts`` it needs."""
-        key, given = f"{self.topic} {phrase}", {"unit": Unit(self.scene.unit), **parts}
-        told = {part: value for part, value in given.items() if part in gaps(key)}
-        said = self.scene.say(key, *calculations, **told)
+        """Draw a stroke, a ``body`` as thick as a link."""
         component: Component | None = "link" if body else None
         part = StrokePart.named(name)
         self.strokes.append(
-            Stroke(kind, label, shape, said, link, component, reveals=reveals, part=part)
+            Stroke(kind, label, shape, self._told, link, component, reveals=reveals, part=part)
         )
 
     @property
@@ -279,46 +281,40 @@ class Script(ABC):
     def rose(
         self,
         names: Sequence[str],
-        phrases: Sequence[str],
         at: complex,
         sizes: tuple[float, float, float],
         angle: Figure,
         link: str,
         label: str = "",
-        **parts: Any,
     ) -> None:
         """Draw an angle in true size beside a view: rim, line of reference, arm and arc.
 
         ``sizes`` are the radius of the rim, the length of the reference and the radius of the arc.
         With a label of its own the angle is a result.
         """
-        (rim, reference, arm, arc), (around, zero, true, between) = names, phrases
-        radius, length, inner = sizes
+        (rim, reference, arm, arc), (radius, length, inner) = names, sizes
         end = at + ray(angle.value) * radius
         kinds: tuple[Kind, Kind] = ("construction", "result") if label else ("known", "known")
         reveals = (link,) if label else ()
-        label, parts = label or self.degrees(angle), {**parts, "angle": angle}
-        self.draw(kinds[0], rim, circle(at, radius), around, link, **parts)
-        self.draw("guide", reference, Curve((at, at + length)), zero)
-        shape = Arrow(at, end, "", "")
-        self.draw(kinds[1], arm, shape, true, link, body=True, reveals=reveals, **parts)
-        self.arc(arc, between, at, inner, link=link, label=label, **parts)
+        self.draw(kinds[0], rim, circle(at, radius), link)
+        self.draw("guide", reference, Curve((at, at + length)))
+        self.draw(kinds[1], arm, Arrow(at, end, "", ""), link, body=True, reveals=reveals)
+        self.arc(arc, at, inner, angle, link, label)
 
     def arc(
         self,
         name: str,
-        phrase: str,
         at: complex,
         radius: float,
         angle: Figure,
         link: str,
         label: str = "",
         start: float = 0.0,
-        **parts: Any,
+        reveals: tuple[str, ...] = (),
     ) -> None:
         """Draw the arc of an angle about a point, with its value or a symbol beside it."""
         shape, label = Arc(at, radius, start, angle.value), label or self.degrees(angle)
-        self.draw("angle", name, shape, phrase, link, label, angle=angle, **parts)
+        self.draw("angle", name, shape, link, label, reveals=reveals)
 
     def shaft(
         self,
@@ -327,13 +323,11 @@ class Script(ABC):
         bearing: complex,
         way: complex,
         link: str,
-        phrase: str = "shaft",
         label: str = "",
-        **parts: Any,
     ) -> None:
         """Draw a shaft between two ends, and its bearing at a place and in a direction."""
-        self.draw("known", f"{name}.shaft", Curve(ends), phrase, link, label, body=True, **parts)
-        self.draw("fixed", f"{name}.bearing", Bearing(bearing, way), "bearing", **parts)
+        self.draw("known", f"{name}.shaft", Curve(ends), link, label, body=True)
+        self.draw("fixed", f"{name}.bearing", Bearing(bearing, way))
 
     def note(self, at: complex, phrase: str, share: float = 1.0, **parts: Any) -> Note:
         """Return a note beside a view, which says the scale of one that is drawn smaller."""

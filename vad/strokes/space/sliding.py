@@ -83,7 +83,7 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
     )
 
     def found(letter: str, value: float, symbol: str) -> dict[str, Callable[..., Sentence]]:
-        line = partial(say, f"spatial along {letter} {panel}", axis="O" + letter)
+        line = partial(say, f"spatial along {letter}")
         figure = Figure(value, unit)
         return {
             "line": line,
