@@ -1,4 +1,4 @@
-"""A lesson as PDF: one page for each step, and at the end the whole sheet."""
+"""A lesson as PDF: one page for each caption, and at the end the whole sheet."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import BinaryIO
 from vad.export.frames import Progress
 from vad.lecture.lesson import Lesson, still
 from vad.lecture.moment import moments
+from vad.lecture.telling import share_caption
 from vad.painting.painter import play
 from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import board_of
@@ -15,7 +16,7 @@ from vad.style import load_style
 
 
 def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None) -> None:
-    """Write ``lesson``, a page for each stroke drawn; a pixel of its film becomes a point.
+    """Write ``lesson``, a page for each caption; a pixel of its film becomes a point.
 
     After the scenes of a stage the last page shows the sheet as its still does.
     """
@@ -23,12 +24,12 @@ def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None)
     painter = PdfPainter(title(lesson.sheet), lesson.sheet.language)
     frames = lesson.opening
     for number, step in enumerate(lesson.steps, 1):
-        if not step.there:
+        if not (step.there or share_caption(step.panel.strokes, step.index)):
             play(board, still(lesson, number).moment, style, painter)
         frames += step.frames
         if progress is not None:
             progress(frames, lesson.frames)
-    captions = [step.stroke.caption for step in lesson.steps if not step.there]
+    captions = [step.stroke.caption for step in lesson.steps if not (step.there or share_caption(step.panel.strokes, step.index))]
     if lesson.steps and lesson.settle:
         *_, (last, _) = moments(lesson)
         play(board, last, style, painter)

@@ -16,7 +16,7 @@ from typing import Any
 from vad.lecture.chapters import Chapter, chapters
 from vad.lecture.lesson import Lesson, LessonStep
 from vad.lecture.moment import drawing
-from vad.lecture.telling import beats
+from vad.lecture.telling import beats, share_caption
 from vad.page.hand import Hand, hand
 from vad.page.ink import Inker, when
 from vad.page.spoken import spoken
@@ -211,10 +211,14 @@ def turned_board(lesson: Lesson) -> HandBoard | None:
 
 
 def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, str]:
-    """Return the caption of a step as an entry of the list, and as it is read out."""
+    """Return the caption of a step as an entry of the list, and as it is read out.
+
+    Of several strokes with one caption only the entry of the first is seen.
+    """
     pieces = pieces_of(step.stroke.said)
     place = f"#step={step.chapter}:{lesson.place(step)}"
-    item = f'<li><a href="{place}">{_beats(step, words)}</a></li>'
+    same = step.index and share_caption(step.panel.strokes, step.index - 1)
+    item = f'<li{" class=same" if same else ""}><a href="{place}">{_beats(step, words)}</a></li>'
     return item, spoken(pieces, lesson.sheet.language)
 
 

@@ -176,7 +176,9 @@ export function mount(root, data, { address = true } = {}) {
     count.textContent = stroke < 0 ? "" : `${stroke - first + 1} / ${whole}`;
     scrub.setAttribute("aria-valuetext", words);
     status.textContent = document.activeElement === scrub ? "" : words;
-    lesson.links.forEach((link, i) => i === stroke ? link.setAttribute("aria-current", "step") : link.removeAttribute("aria-current"));
+    let shown = stroke;
+    while (shown > 0 && lesson.links[shown].parentNode.className === "same") shown -= 1; // Each round goes one entry back.
+    lesson.links.forEach((link, i) => i === shown ? link.setAttribute("aria-current", "step") : link.removeAttribute("aria-current"));
     const chapter = lesson.chapters.findLast((each) => each.dataset.x <= Math.max(stroke, 0));
     lesson.chapters.forEach((each) => each.setAttribute("aria-current", each === chapter));
     clearTimeout(timer);
