@@ -30,8 +30,10 @@ USUAL, DWARFED, ABOUT = 75.0, 2.2, 1.15
 BEYOND = 5.0
 
 
-def usual_limit(sizes: Any) -> float:
+def usual_limit(sizes: Any, dwarfed: float = DWARFED) -> float:
     """Return the size beyond which a few poses may leave the room that is made for all others.
+
+    They may if the largest is more than ``dwarfed`` times as large as three in four.
 
     Examples
     --------
@@ -39,7 +41,7 @@ def usual_limit(sizes: Any) -> float:
     (3.0, 2.3)
     """
     usual, most = float(np.percentile(sizes, USUAL)), float(max(sizes))
-    return ABOUT * usual if most > DWARFED * usual else most
+    return ABOUT * usual if most > dwarfed * usual else most
 
 
 def poles_of(found: Forces[Any, Any, Any]) -> dict[int, complex]:

@@ -37,7 +37,7 @@ from vad.plan.pictures.shared_lines import NONE_SHARED, SharedLine
 from vad.plan.pictures.vectors import ALONE, Vector, add_vector, is_whole, place_vectors
 from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
-from vad.plan.scale import Scale, bar_box, bar_marks, fill, polygon_scale, stated
+from vad.plan.scale import SINGLE, STACKED, Scale, bar_box, bar_marks, fill, polygon_scale, stated
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Dot, Ellipse, Line, Panel, PolarInset, Stroke, StrokePart
 
@@ -47,6 +47,7 @@ RADIUS = DOT + DOT_RIM
 NEAR = (0.014, 0.020, 0.027, 0.034)
 CAPTION_ROOMS = (math.inf, 0.18)  # in one line or, rather than at a smaller size, in two
 BAR_OFF = 0.012  # the lower edge of the room, for the scale bar of a polygon below another
+BAR_ROOM = 0.035  # the height that it takes of that room over a turn
 WIDEST_BAR = 0.45  # of the room's width, with its value
 _PARTS = ("normal", "tangential")
 
@@ -186,9 +187,14 @@ def draw(setting: Setting, labels: LabelChoice = PLACED) -> Sketch:
 
 def over_turn(setting: Setting, poses: Sequence[Panel]) -> Polygon:
     """Return the polygon of a turn, as large as leaves room for its speeds in all poses."""
+    polygons = [corners(principal(pose)) for pose in poses]
+    # What leaves its room would be taken for a part of the other polygon in its column.
+    dwarfed = SINGLE if len(setting.sheet.panel(setting.panel.column).halves) == 1 else STACKED
+    below = BAR_ROOM if setting.panel.name != setting.panel.column else 0.0
 
     def scale_in(room: Rect) -> Scale:
-        return polygon_scale([corners(principal(pose)) for pose in poses], room, setting.centimetre)
+        over = Rect(room.left, room.bottom + below, room.right, room.top)
+        return polygon_scale(polygons, over, setting.centimetre, dwarfed)
 
     full = Polygon(setting, scale_in(setting.room))
     inset = setting.panel.inset
