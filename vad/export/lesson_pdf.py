@@ -7,7 +7,6 @@ from typing import BinaryIO
 from vad.export.frames import Progress
 from vad.lecture.lesson import Lesson, still
 from vad.lecture.moment import moments
-from vad.lecture.telling import share_caption
 from vad.painting.painter import play
 from vad.painting.pdf_painter import PdfPainter
 from vad.painting.posed import board_of
@@ -24,12 +23,12 @@ def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None)
     painter = PdfPainter(title(lesson.sheet), lesson.sheet.language)
     frames = lesson.opening
     for number, step in enumerate(lesson.steps, 1):
-        if not (step.there or share_caption(step.panel.strokes, step.index)):
+        if step.has_page:
             play(board, still(lesson, number).moment, style, painter)
         frames += step.frames
         if progress is not None:
             progress(frames, lesson.frames)
-    captions = [step.stroke.caption for step in lesson.steps if not (step.there or share_caption(step.panel.strokes, step.index))]
+    captions = [step.stroke.caption for step in lesson.steps if step.has_page]
     if lesson.steps and lesson.settle:
         *_, (last, _) = moments(lesson)
         play(board, last, style, painter)

@@ -70,7 +70,7 @@ def _shown(lesson: Lesson, per_panel: bool) -> Iterator[tuple[int, list[str]]]:
     """Yield the steps that have a slide, from 1, each with the captions that are said on it."""
     said: list[str] = []
     for number, step in enumerate(lesson.steps, start=1):
-        if step.there:
+        if not step.has_page:
             continue
         said.append(step.stroke.caption)
         following = lesson.steps[number : number + 1]

@@ -70,7 +70,7 @@ def _lines(lesson: Lesson, name: str) -> Iterator[str]:
     ends = [part.step for part in parts[1:]] + [len(lesson.steps)]
     page = 0
     for part, end in zip(parts, ends, strict=True):
-        steps = [step for step in lesson.steps[part.step : end] if not step.there]
+        steps = [step for step in lesson.steps[part.step : end] if step.has_page]
         if not steps:
             continue
         name = latex_of(roman(part.title))

@@ -43,7 +43,7 @@ def transcript(lesson: Lesson) -> Iterator[str]:
         yield ""
         for number in range(part.step, end):
             step = lesson.steps[number]
-            if not step.there:
+            if not (step.there or step.repeats):
                 time = minutes(starts[number] / lesson.fps)
                 yield f"{lesson.place(step):4d}.  {time}  {_line(step.stroke.caption)}"
         if part.step == len(lesson.steps):

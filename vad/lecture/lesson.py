@@ -22,7 +22,7 @@ from vad.lecture.moment import Moment, done, drawing
 from vad.lecture.pace import AFTER_ANSWER, CLOSING, GLIDE, OPENING, SHEET, scripted, times
 from vad.lecture.scenes import is_staged, scene_numbers
 from vad.lecture.script import Script, script_of, step_number
-from vad.lecture.telling import reading
+from vad.lecture.telling import reading, share_caption
 from vad.strokes.reveals import finder, revealed
 from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import Panel, Sheet, Stroke, driver_of
@@ -60,6 +60,16 @@ class LessonStep:
     def stroke(self) -> Stroke:
         """The stroke that is drawn in this step."""
         return self.panel.strokes[self.index]
+
+    @property
+    def repeats(self) -> bool:
+        """Whether the same is said of the stroke before it."""
+        return self.index > 0 and share_caption(self.panel.strokes, self.index - 1)
+
+    @property
+    def has_page(self) -> bool:
+        """Whether it has a page or a slide: what is drawn has one for each caption."""
+        return not self.there and not share_caption(self.panel.strokes, self.index)
 
 
 @dataclass(frozen=True, slots=True, repr=False)

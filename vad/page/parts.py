@@ -16,7 +16,7 @@ from typing import Any
 from vad.lecture.chapters import Chapter, chapters
 from vad.lecture.lesson import Lesson, LessonStep
 from vad.lecture.moment import drawing
-from vad.lecture.telling import beats, share_caption
+from vad.lecture.telling import beats
 from vad.page.hand import Hand, hand
 from vad.page.ink import Inker, when
 from vad.page.spoken import spoken
@@ -217,8 +217,8 @@ def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, st
     """
     pieces = pieces_of(step.stroke.said)
     place = f"#step={step.chapter}:{lesson.place(step)}"
-    same = step.index and share_caption(step.panel.strokes, step.index - 1)
-    item = f'<li{" class=same" if same else ""}><a href="{place}">{_beats(step, words)}</a></li>'
+    seen = " class=same" if step.repeats else ""
+    item = f'<li{seen}><a href="{place}">{_beats(step, words)}</a></li>'
     return item, spoken(pieces, lesson.sheet.language)
 
 
