@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from functools import cached_property, lru_cache
 from typing import Any
 
-from vad.kinematics.numbers import copysign, vector
+from vad.kinematics.numbers import bearing, copysign, fold, vector
 from vad.kinematics.space.instant_axis import Z
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
@@ -24,8 +24,10 @@ PICTORIAL = View.from_above(azimuth=-62.0, elevation=38.0)
 POSES = 48
 #: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
 AXIS, SHAFT, BEARING = 0.13, 0.06, 0.10
-#: The star's rays, the radius of the rose, and the space above the mechanism.
-RAY, ROSE, ABOVE, NOTE = 0.16, 0.09, 0.02, 0.24
+#: The star's rays, the radius of the rose, the space above the mechanism, and that beside the rose.
+RAY, ROSE, ABOVE, NOTE = 0.34, 0.10, 0.02, 0.24
+#: Radii of the star's arcs as shares of its rays: between a and d, and from a to I.
+ARCS = 0.35, 0.7
 #: The slides: from where to where, and in whose row.
 SLIDES = {"B": ("B", "coupler B", "axis"), "C": ("rocker C", "C", "rocker")}
 SLIDES["D"] = "D", "rocker D", "rocker"
@@ -69,7 +71,7 @@ class Script(SlidingScript):
         reach = max((high - low).real, (high - low).imag)
         top = high.imag + (ABOVE + RAY) * reach
         star = vector(low.real + RAY * reach, top)
-        rose = vector(high.real - RAY * reach, top - ROSE * reach)
+        rose = vector(high.real - 1.5 * ROSE * reach, top - ROSE * reach)
 
         def axis(point: str, way: str) -> Curve:
             return through(at[point], AXIS * reach * at[way])
@@ -78,9 +80,9 @@ class Script(SlidingScript):
         guide("a.axis", axis("A", "a"))
         guide("d.axis", axis("D", "d"))
         guide("AD.ground", Curve((at["A"], at["D"])))
-        bearing = at["A"] - BEARING * reach * at["a"]
+        seat = at["A"] - BEARING * reach * at["a"]
         ends = at["A"] - (BEARING + SHAFT) * reach * at["a"], at["A"]
-        self.shaft("A", ends, bearing, _way(at["a"]), "crank")
+        self.shaft("A", ends, seat, _way(at["a"]), "crank")
         fixed("A.fixed", Dot(at["A"]), label="A")
         fixed("D.sleeve", Block(at["D"], _way(at["d"])))
         fixed("D.fixed", Dot(at["D"]), label="D")
@@ -96,6 +98,22 @@ class Script(SlidingScript):
         known("star.A", rays["A"], "crank", "OA")
         known("star.D", rays["D"], "rocker", "OD")
         construction("star.I", rays["I"], "axis", "OI")
+        ray, begin = RAY * reach, bearing(at["true A"])
+        twist = self.angle(fold(bearing(at["true D"]) - begin))
+        self.arc(
+            "star.twist",
+            star,
+            ARCS[0] * ray,
+            twist,
+            "rocker",
+            self.degrees(given("ground_twist")),
+            begin,
+        )
+        tau = self.bodies.screw.tau
+        turned = self.angle(fold(bearing(at["true I"]) - begin))
+        self.arc(
+            "star.tau", star, ARCS[1] * ray, turned, "axis", self.degrees(self.angle(tau)), begin
+        )
         self.tell("slides", **{x.lower(): Figure(at[f"s_{x}"], unit) for x in "BCD"})
         guide("c.axis", axis("C", "c"))
         for x, (start, end, row) in SLIDES.items():
