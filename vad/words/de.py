@@ -296,6 +296,7 @@ PHRASES = {
         "Die Großkreise von *BC* und *AD* schneiden sich in *I*: um *OI* dreht sich die Schwinge "
         "relativ zur Kurbel."
     ),
+    "spherical laid": "Um *OI* ins Blatt umgeklappt liegt *OB* {b}° und *OC* {c}° von *OI*.",
     # Pläne von Körpern
     "bodies remark": (
         "1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, um 2 4 ins Blatt umgeklappt"
@@ -476,6 +477,9 @@ PHRASES = {
     "hooke OT": (
         "*T*, senkrecht heruntergelotet, ergibt *OT*: dort schneidet die Ebene des Kreuzes die "
         "der Wellen."
+    ),
+    "hooke laid": (
+        "Um *OT* in die Ebene der Wellen umgeklappt haben *OP* und *OQ* ihre wahre Länge."
     ),
     # Polygone
     "hooke speeds": "Drehzahlen über einen Umlauf",

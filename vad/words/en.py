@@ -299,6 +299,7 @@ PHRASES = {
         "The great circles of *BC* and *AD* meet at *I*: the rocker turns about *OI* relative to "
         "the crank."
     ),
+    "spherical laid": "Turned about *OI* into the paper, *OB* is {b}° and *OC* is {c}° from *OI*.",
     # polygons of bodies
     "bodies remark": (
         "1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into the paper "
@@ -470,6 +471,9 @@ PHRASES = {
     "hooke OT": (
         "*T*, taken straight down, gives *OT*: there the plane of the cross cuts that of the "
         "shafts."
+    ),
+    "hooke laid": (
+        "Turned about *OT* into the plane of the shafts, *OP* and *OQ* have their true length."
     ),
     # the polygons
     "hooke speeds": "speeds over a turn",

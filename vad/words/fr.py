@@ -297,6 +297,9 @@ PHRASES = {
         "Les grands cercles de *BC* et de *AD* se coupent en *I* : le balancier tourne autour de "
         "*OI* par rapport à la manivelle."
     ),
+    "spherical laid": (
+        "Rabattus autour de *OI* sur la feuille, *OB* est à {b}° et *OC* à {c}° de *OI*."
+    ),
     # polygones de corps
     "bodies remark": (
         "1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu autour de 2 4"
@@ -472,6 +475,9 @@ PHRASES = {
     ),
     "hooke OT": (
         "*T*, reporté à l’aplomb, donne *OT* : là, le plan du croisillon coupe celui des arbres."
+    ),
+    "hooke laid": (
+        "Rabattus autour de *OT* sur le plan des arbres, *OP* et *OQ* sont en vraie grandeur."
     ),
     # polygones
     "hooke speeds": "vitesses sur un tour",

@@ -422,7 +422,8 @@ def _swing(fold: Fold, centre: complex) -> Scaling:
 def lasts(stroke: Stroke) -> bool:
     """Tell whether a stroke is still to be seen when all are drawn, and moves with a turn."""
     is_tool = isinstance(stroke.shape, Arc) and stroke.kind == "construction"
-    return not (is_tool or isinstance(stroke.shape, Line) or stroke.kind == "angle")
+    is_laid = stroke.part.which == "laid"  # to either side of OI, as the pose wants it
+    return not (is_tool or is_laid or isinstance(stroke.shape, Line) or stroke.kind == "angle")
 
 
 def _unmoved(poses: Sequence[Panel]) -> set[str]:

@@ -23,6 +23,8 @@ from vad.written import PRIME
 
 FRONT = View((0.0, -1.0, 0.0), (1.0, 0.0, 0.0))
 PLAN = View((0.0, -1.0, 0.0), (0.0, 0.0, -1.0), -2.6j)
+#: The length of OP and OQ in the paper, and the radii of their arcs.
+LAID, ARCS = 1.35, (1.12, 1.25)
 #: From O: the back of a yoke, the middle of its bearing, the end of its shaft, that of its axis.
 BACK, BEARING, END, AXIS = 0.5, 0.85, 1.05, 1.25
 #: Radii of the arcs of θ₂, θ₄ and of the angle between the shafts; half of a fork in degrees.
@@ -138,6 +140,8 @@ class Script(BodyScript):
         crossing("T.plan", Dot(low["T"]))  # beside Q there is no room for its letter
         way = AXIS * (low["T"] - o) / abs(low["T"] - o)
         construction("OT.line", through(o, way), "cross")
+        self.tell("laid")
+        self.lay_over({"P": "cross", "Q": "cross"}, LAID, ARCS)
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
         right = Term(self.scene.write("hooke ratio", theta="θ₂", shafts="β"), "driving", "P.angle")
         notes = self.note(AXIS + 1.2j, "along"), self.note(o + AXIS - 1j, "plan")

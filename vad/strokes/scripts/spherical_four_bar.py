@@ -18,6 +18,8 @@ ROSES, NOTES = {"A": -0.95 + 1.3j, "D": 0.95 + 1.3j}, {"A": -1.2 + 0.82j, "D": 1
 SIZES = 0.22, 0.31, 0.12
 #: From O: the ends of the shafts, and the middle of their bearings; half of a compass arc.
 END, BEARING, COMPASS = 1.3, 1.16, 25.0
+#: Radii of the arcs of OB and OC in the paper.
+ARCS = 0.3, 0.6
 ROWS = {"12": "crank", "24": "B", "14": "rocker", "23": "B", "43": "C"}
 
 
@@ -76,7 +78,10 @@ class Script(BodyScript):
         self.tell("I")
         construction("BC.circle", great, "B")
         crossing("I.found", Dot(at["I"]), label="I")
-        construction("OI.line", Curve((0j, at["I"]), far=True), "B")
+        sense = select(at["I"].imag < 0.0, -1.0, 1.0)  # upwards, where there is room
+        construction("OI.line", Curve((minimum(0.0, sense) * at["I"], at["I"]), far=True), "B")
+        self.tell("laid", b=self.angle(abs(from_b)), c=self.angle(abs(from_c)))
+        self.lay_over({"B": "B", "C": "C"}, 1.0, ARCS, sense)
         notes = (self.note(z, "along", axis="O" + x) for x, z in NOTES.items())
         return self.finished(("AB.arc", "BC.arc"), ("AD.arc", "DC.arc"), *notes)
 

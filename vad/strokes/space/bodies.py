@@ -12,9 +12,9 @@ from collections.abc import Mapping
 from functools import cached_property
 from typing import Any
 
-from vad.kinematics.numbers import bearing, plane
+from vad.kinematics.numbers import bearing, plane, select
 from vad.kinematics.space.instant_axis import AxisVelocity, InstantAxis, Turns, Z
-from vad.kinematics.space.numbers import Vector3, dot, dual, real
+from vad.kinematics.space.numbers import Vector3, cross, dot, dual, real
 from vad.kinematics.space.solver import AxesSolver, reals
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Order
 from vad.strokes.space.scene import Script
@@ -96,6 +96,14 @@ class Bodies:
             other, own = -self.relative(ACCELERATION)[1], self.in_coupler()
         size = abs(crank) + abs(turns.at_b) + abs(turns.at_c) + abs(turns.at_d)
         return 1.0 - 2.0 * (other * own < -NOTHING * size * size)
+
+    @property
+    def side_in_views(self) -> Any:
+        """The side of velocities, which their axes tell also where there are no velocities."""
+        axis = self.axis
+        a_b_c, a_c_d = cross(axis.b, axis.c)[2], cross(axis.c, axis.d)[2]
+        away = a_b_c * a_c_d * dot(axis.d, axis.m) * dot(axis.b, axis.j)
+        return select(away > NOTHING, -1.0, 1.0)
 
     def vertices(self, order: Order, coupler: bool = True) -> Mapping[str, Any]:
         """Return where the vertices of the polygon of ω or α are."""

@@ -15,13 +15,13 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import Any, ClassVar
 
-from vad.kinematics.numbers import bearing, plane
+from vad.kinematics.numbers import bearing, not_below, plane, select
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import dot, real
 from vad.strokes.arithmetic import Figure, product
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order, Spot
 from vad.strokes.sentences import Sentence, SentencePart, Unit
-from vad.strokes.sheet import Component, Ellipse, Fold, Stroke, StrokePart
+from vad.strokes.sheet import Component, Curve, Ellipse, Fold, Stroke, StrokePart
 from vad.strokes.space.bodies import Bodies
 from vad.strokes.space.polygon import SpaceVector, Stated, chain, polygon, stated
 from vad.strokes.space.scene import Script
@@ -293,6 +293,31 @@ class BodyScript(Script):
     def bodies(self) -> Bodies:
         """How its bodies turn."""
         return Bodies(self, self.frame())
+
+    def lay_over(
+        self, ends: Mapping[str, str], length: float, arcs: tuple[float, float], sense: Any = 1.0
+    ) -> None:
+        """Draw two axes of the coupler's plane, rotated into the paper, and their arcs from OI.
+
+        ``ends`` are the letters at their ends and the rows whose colours they have.  The larger arc
+        has the first radius.  The ``sense`` is -1 if lines are drawn from O away from these ends.
+        """
+        bodies, at = self.bodies, self.centre
+        side, start = bodies.side_in_views, bearing(sense * bodies.seen(bodies.axis.i))
+        axes = bodies.axis.b, bodies.axis.c
+        turned = [bodies.arc(axis) for axis in axes]
+        sizes = [not_below(arc, -arc) for arc in turned]
+        larger = sizes[0] > sizes[1]
+        radii = select(larger, *arcs), select(larger, *reversed(arcs))
+        for number, (letter, link) in enumerate(ends.items()):
+            name, way = "O" + letter, sense * length * bodies.laid(axes[number], side)
+            line = Curve((at + way, at + 0.6 * way, at))  # its name stands near its end
+            self.draw("construction", f"{name}.laid", line, link, name)
+            angle, label = (
+                self.angle(side * turned[number]),
+                self.degrees(self.angle(sizes[number])),
+            )
+            self.arc(f"{name}.arc", at, radii[number], angle, link, label, start)
 
     def tracks(self, order: Order) -> Mapping[Spot, Any]:
         """Return where the lettered points are, of one pose or of many."""
