@@ -214,3 +214,16 @@ def _so_far(lesson):
     for step in lesson.steps:
         strokes[step.panel.name] = (*strokes.get(step.panel.name, ()), step.stroke)
         yield step, drawn_so_far(lesson.sheet, strokes)
+
+
+@pytest.mark.parametrize("choice", [0, 1])
+def test_a_sheet_with_a_mirrored_answer_says_how_to_see_it(choice):
+    mechanism = vad.load(example_path("shaft-four-cranks"))(assembly=str(choice))
+    sheet = vad.draw(vad.solve(mechanism))
+    other = f"choice {1 - choice}"
+    assert str(sheet.panel("couple").remark) == (
+        f"about the plane of A; a mirrored answer balances it, too: {other}"
+    )
+    meeting = [s for s in sheet.panel("couple").strokes if s.kind == "intersection"]
+    assert [stroke.caption.endswith(f"{other}.") for stroke in meeting] == [True]
+    assert "choice" not in str(sheet_of("shaft-two-planes").panel("couple").remark)

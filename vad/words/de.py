@@ -360,6 +360,14 @@ PHRASES = {
     "balance line": "{letter} liegt auf dieser Geraden.",
     "balance arc": "{letter} ist {value} {unit} lang: ein Bogen mit diesem Halbmesser.",
     "balance meet": "Sie treffen sich: das Polygon schließt sich.",
+    "balance meet twice": (
+        "Sie treffen sich: das Polygon schließt sich. Sie treffen sich ein zweites Mal, in der "
+        "gespiegelten Lösung: choice {choice}."
+    ),
+    "balance other": "auch eine gespiegelte Lösung gleicht aus: choice {choice}",
+    "balance about other": (
+        "um die Ebene von {reference}; auch eine gespiegelte Lösung gleicht aus: choice {choice}"
+    ),
     "balance about": "um die Ebene von {reference}",
     "engine zero": (
         "Hier schließt es sich; im Umlauf ist die Resultierende höchstens {largest} {unit}, "

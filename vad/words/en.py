@@ -365,6 +365,14 @@ PHRASES = {
     "balance line": "{letter} lies along this line.",
     "balance arc": "{letter} is {value} {unit} long: an arc of that radius.",
     "balance meet": "They meet: the polygon closes.",
+    "balance meet twice": (
+        "They meet: the polygon closes. They meet a second time, in the mirrored answer: "
+        "choice {choice}."
+    ),
+    "balance other": "a mirrored answer balances it, too: choice {choice}",
+    "balance about other": (
+        "about the plane of {reference}; a mirrored answer balances it, too: choice {choice}"
+    ),
     "balance about": "about the plane of {reference}",
     "engine zero": (
         "It closes here; over a turn the resultant is at most {largest} {unit}, at {where}°."

@@ -365,6 +365,14 @@ PHRASES = {
     "balance line": "{letter} est sur cette droite.",
     "balance arc": "{letter} mesure {value} {unit} : un arc de ce rayon.",
     "balance meet": "Ils se coupent : le polygone se ferme.",
+    "balance meet twice": (
+        "Ils se coupent : le polygone se ferme. Ils se coupent une seconde fois, dans la solution "
+        "symétrique : choice {choice}."
+    ),
+    "balance other": "une solution symétrique équilibre aussi : choice {choice}",
+    "balance about other": (
+        "autour du plan de {reference} ; une solution symétrique équilibre aussi : choice {choice}"
+    ),
     "balance about": "autour du plan de {reference}",
     "engine zero": (
         "Ici il se ferme ; dans un tour la résultante atteint {largest} {unit}, à {where}°."

@@ -139,14 +139,22 @@ class ShaftDrawings(Drawings):
         if len(found) == 1:
             self._closing(pen, found[0], tip, what)
         elif found:
-            self._two(pen, found, tip, what)
+            self._two(pen, found, tip, what, bool(polygon.other))
         terms = [Term(s.label, s.link, s.name) for s in pen.strokes if isinstance(s.shape, Arrow)]
         total = Term("0", None, None)
         equations = (Equation(tuple(terms), (total,)),) if not polygon.rest and terms else ()
         remark = ""
-        if polygon.reference:
-            remark = self.scene.write("balance about", reference=polygon.reference)
+        if polygon.reference or polygon.other:
+            about = "about" if polygon.reference else "other"
+            phrase = f"balance {about}{' other' if polygon.reference and polygon.other else ''}"
+            parts = {"reference": polygon.reference, "choice": self._other_choice}
+            remark = self.scene.write(phrase, **parts)
         return Drawing(tuple(pen.strokes), equations=equations, remark=remark)
+
+    @property
+    def _other_choice(self) -> str:
+        """The number of the answer that mirrors this one."""
+        return str(1 - int(getattr(self.scene.subject, "choice", 0)))
 
     def _known(self, pen: Pen, each: Laid, tip: complex, what: Component) -> complex:
         """Lay a vector that is known at the tip, and return the new tip."""
@@ -191,8 +199,10 @@ class ShaftDrawings(Drawings):
             reveals=self._reveals(each.name, what), **parts,
         )  # fmt: skip
 
-    def _two(self, pen: Pen, found: Sequence[Laid], tip: complex, what: Component) -> None:
-        """Close the polygon by two vectors, which meet."""
+    def _two(
+        self, pen: Pen, found: Sequence[Laid], tip: complex, what: Component, twice: bool
+    ) -> None:
+        """Close the polygon by two vectors, which meet; arcs meet ``twice``."""
         one, other = found
         meeting = tip + self.turned(one.vector)
         for each, start in ((one, tip), (other, 0j)):
@@ -205,7 +215,10 @@ class ShaftDrawings(Drawings):
             else:
                 arc = Arc(start, size, bearing(way) - COMPASS, 2 * COMPASS, through=meeting)
                 pen.draw("construction", name, arc, "balance arc", link=each.name, **parts)
-        pen.draw("intersection", f"{one.name}.crossing", Dot(meeting), "balance meet")
+        phrase = "balance meet twice" if twice else "balance meet"
+        pen.draw(
+            "intersection", f"{one.name}.crossing", Dot(meeting), phrase, choice=self._other_choice
+        )
         for each, start, end in ((one, tip, meeting), (other, meeting, 0j)):
             pen.draw(
                 "result", f"{each.name}.{what}", Arrow(start, end, "", ""), "balance found",
