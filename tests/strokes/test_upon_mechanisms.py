@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+
+import numpy as np
 import pytest
 
 import vad
@@ -11,9 +14,12 @@ from tests.strokes.calculations import chains
 from tests.strokes.test_figures import calculate
 from vad.errors import InputError, UsageError
 from vad.export.sheet_json import to_dict
+from vad.files.exercises import exercise_path
 from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.draw import scene_of
 from vad.strokes.shapes import Turned
 from vad.strokes.sheet import Arrow, Curve, Dot, KennedyCircle, Line
+from vad.words import Language
 
 NAMES = sorted(MACHINES)
 PANELS = "centres", "klein", "turned"
@@ -174,3 +180,36 @@ def test_the_rates_in_captions_are_those_of_the_motion(name):
                     rates.append(motion.link(row).omega)
                 agree = [each.agrees(abs(rate)) for each in read for rate in rates]
                 assert not read or any(agree), stroke.caption
+
+
+def test_the_turned_polygon_of_a_textbook_has_its_answers():
+    """R. S. Khurmi and J. K. Gupta, Theory of Machines, ex. 7.1: 0.385 m/s and 4.8 rad/s."""
+    motion = vad.solve(vad.load(exercise_path("khurmi-7-1"))())
+    strokes = {s.name: s for s in vad.draw(motion, "turned").panel("turned").strokes}
+    vector = strokes["DC.tangential-turned"].shape
+    measured = abs(vector.end - vector.start)
+    omega = 120 * 2 * math.pi / 60
+    assert measured == pytest.approx(30.46, abs=0.005)
+    assert measured * omega == pytest.approx(385, rel=0.01)
+    assert measured * omega / 80 == pytest.approx(4.8, rel=0.01)
+    assert abs(vector.start) == pytest.approx(0.0, abs=1e-12)  # from the pivot A
+
+
+@pytest.mark.parametrize("name", ["four-bar", "crank-slotted-lever"])
+def test_the_vertices_of_a_figure_run_on_paths_over_a_turn(name):
+    """Those of the turned polygon are those of the velocity polygon, turned and over ω."""
+    many = vad.solve(vad.MECHANISMS[name](), angle=np.linspace(0, 350, 36), omega=-7.0)
+    spots = DIAGRAMS["turned"].tracks(scene_of(many, Language("en")))
+    found = {spot.letter: places for spot, places in spots.items() if spot.letter.islower()}
+    assert "c" in found
+    for letter, places in found.items():
+        velocity = many.point(letter.upper()).velocity
+        assert places == pytest.approx(velocity / (1j * -7.0))
+
+
+def test_klein_s_points_run_over_a_turn():
+    many = vad.solve(vad.SliderCrank(), angle=np.linspace(0, 350, 36), omega=5.0)
+    spots = DIAGRAMS["klein"].tracks(scene_of(many, Language("en")))
+    at = {spot.letter: places for spot, places in spots.items()}
+    assert 5j * at["M"] == pytest.approx(many.point("C").velocity)
+    assert -25 * at["N"] == pytest.approx(many.point("C").acceleration)

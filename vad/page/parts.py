@@ -145,7 +145,8 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
             )
             + "</ol></div>"
             for panel in sheet.panels
-        ),
+        )
+        + _stepped(lesson, turned, words),
         data={
             "first": first,
             "panels": [[panel.name, panel.title] for panel in sheet.panels],
@@ -164,6 +165,14 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
         faces=faces,
         hand=moved,
     )
+
+
+def _stepped(lesson: Lesson, turned: HandBoard | None, words: RunWriter) -> str:
+    """Return the sentence of a page whose mechanism is not turned by hand; of others nothing."""
+    if turned:
+        return ""
+    text = Language(lesson.sheet.language).say("page stepped")
+    return f"<p>{words.of(roman(text))}</p>"
 
 
 def _firm(piece: TextPiece) -> TextPiece:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.klein import check, klein, parts_of
 from vad.kinematics.numbers import across
 from vad.kinematics.solver import heading
 from vad.strokes.arithmetic import Figure, product
-from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Drawing
+from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Drawing, Spot
 from vad.strokes.figure import FigurePencil
 from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.shapes import Turned
@@ -44,6 +45,18 @@ def klein_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
     if key == figure.parts.crank.link:
         cells += scene.cells(POSITION, key, slides)
     return tuple(cells)
+
+
+def klein_tracks(scene: Any) -> Mapping[Spot, Any]:
+    """Return where the points of the mechanism are, and M and N.
+
+    They show how the velocity and the acceleration of the slider change over a turn.
+    """
+    parts = parts_of(scene.motion.solver)
+    assert parts is not None
+    spots: dict[Spot, Any] = dict(scene.tracks(POSITION))
+    found = klein(scene.motion)
+    return spots | {Spot(name, row=parts.slide.name, path="bare"): found[name] for name in "MN"}
 
 
 class _Klein:

@@ -6,16 +6,17 @@ velocity that is square to a link lies along the link, and one along a guide squ
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from vad.errors import InputError
 from vad.kinematics.symbol import as_complex
 from vad.strokes.arithmetic import Figure, product
-from vad.strokes.diagram import VELOCITY, Drawing
+from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Spot
 from vad.strokes.figure import FigurePencil
 from vad.strokes.polygon import polygon
-from vad.strokes.scene import point_of
+from vad.strokes.scene import image_letter, point_of
 from vad.strokes.sentences import Noun, Sentence, SentencePart, Unit
 from vad.strokes.shapes import Turned
 from vad.strokes.sheet import Arrow, Cell, Dot, Line, Stroke, StrokePart
@@ -41,6 +42,32 @@ def turned_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
     return found
 
 
+def turned_tracks(scene: Any) -> Mapping[Spot, Any]:
+    """Return where the points of the mechanism are, and the ends of their turned velocities.
+
+    Those of fixed points and of the crank lie on the mechanism itself.
+    """
+    spots: dict[Spot, Any] = dict(scene.tracks(POSITION))
+    members, motion, crank = scene.members, scene.motion, scene.driver.name
+    centre, still = scene.at(members.pivot(crank)), {*members.fixed, *members.points_on(crank)}
+    for point in motion.points:
+        if point not in still:
+            end = _place(centre, motion.point(point).velocity, motion.inputs["omega"])
+            spots[Spot(image_letter(point, 1), row=_row(scene, point), path="bare")] = end
+    return spots
+
+
+def _row(scene: Any, point: str) -> str:
+    """Return the row whose ink a point has: that of the last link on which it lies."""
+    links = [link for link in scene.members.links if point in scene.members.points_on(link)]
+    return str(links[-1] if links else scene.driver.name)
+
+
+def _place(centre: Any, velocity: Any, omega: Any) -> Any:
+    """Return where on the mechanism the end of a velocity from the pole lies."""
+    return centre + velocity * -1j / omega
+
+
 class _Turned:
     def __init__(self, scene: Scene) -> None:
         self.scene, members = scene, scene.members
@@ -52,11 +79,6 @@ class _Turned:
         self.centre = scene.at(self.pivot)
         self.pencil = FigurePencil(scene)
 
-    def place(self, velocity: complex) -> complex:
-        """Return where on the mechanism the end of a velocity from the pole lies."""
-        place: complex = self.centre + velocity * -1j / self.omega
-        return place
-
     def drawing(self) -> Drawing:
         """Turn the polygon, stroke by stroke."""
         found = polygon(self.scene, 1)
@@ -66,6 +88,10 @@ class _Turned:
         sense = 90.0 if self.omega > 0 else -90.0
         turned = Turned(VELOCITY.panel, sense, abs(float(self.omega)), as_complex(self.centre))
         return self.pencil.drawing(turned=(turned,))
+
+    def _at(self, velocity: complex) -> complex:
+        """Return where the end of a velocity from the pole lies, upon the mechanism."""
+        return complex(_place(self.centre, velocity, self.omega))
 
     def _draw(self, stroke: Stroke) -> None:
         shape = self._turned(stroke)
@@ -87,12 +113,12 @@ class _Turned:
         """Return a shape of the polygon upon the mechanism."""
         match stroke.shape:
             case Dot(at):
-                return Dot(self.place(at))
+                return Dot(self._at(at))
             case Line(through, direction, until):
                 way = direction * (-1j if self.omega > 0 else 1j)
-                return Line(self.place(through), way, self.place(until))
+                return Line(self._at(through), way, self._at(until))
             case Arrow(start, end, tail, head):
-                return Arrow(self.place(start), self.place(end), tail, head)
+                return Arrow(self._at(start), self._at(end), tail, head)
         raise AssertionError(stroke.shape)
 
     def _said(self, stroke: Stroke) -> Sentence:

@@ -235,6 +235,10 @@ PHRASES = {
     "answer loses": " und wird langsamer",
     "answer steady": "",
     "answer next": "; ",
+    "page stepped": (
+        "Diese Seite wird Strich für Strich abgespielt. "
+        "Die Zeichnung lässt sich nicht von Hand drehen."
+    ),
     "answer balances": "Die Welle ist ausgeglichen durch {masses}.",
     "answer mass": "{letter} mit {symbol} = {size} {unit} unter {angle}°",
     "answer over a turn": "Im Umlauf: {results}.",

@@ -239,6 +239,7 @@ PHRASES = {
     "answer loses": " and loses speed",
     "answer steady": "",
     "answer next": "; ",
+    "page stepped": "This page is played stroke by stroke. Its drawing is not turned by hand.",
     "answer balances": "The shaft is balanced by {masses}.",
     "answer mass": "{letter} with {symbol} = {size} {unit} at {angle}°",
     "answer over a turn": "Over a turn {results}.",

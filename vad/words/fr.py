@@ -239,6 +239,7 @@ PHRASES = {
     "answer loses": " et ralentit",
     "answer steady": "",
     "answer next": " ; ",
+    "page stepped": "Cette page se joue trait par trait. Le dessin ne se tourne pas à la main.",
     "answer balances": "L’arbre est équilibré par {masses}.",
     "answer mass": "{letter} avec {symbol} = {size} {unit} à {angle}°",
     "answer over a turn": "Dans un tour : {results}.",

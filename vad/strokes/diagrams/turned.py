@@ -1,7 +1,7 @@
 """The velocity polygon upon the mechanism, turned by 90°."""
 
-from vad.strokes.diagram import POSITION, Diagram, turns_on_the_frame
-from vad.strokes.turned import turned_cells, turned_drawing
+from vad.strokes.diagram import Diagram, turns_on_the_frame
+from vad.strokes.turned import turned_cells, turned_drawing, turned_tracks
 
 DIAGRAM = Diagram(
     "turned",
@@ -11,7 +11,7 @@ DIAGRAM = Diagram(
     lambda scene: scene.unit,
     turned_drawing,
     turned_cells,
-    lambda scene: scene.tracks(POSITION),
+    turned_tracks,
     usual=False,
     applies=turns_on_the_frame,
 )
