@@ -146,3 +146,17 @@ def test_what_is_wrong_is_said(task, given, message, hint) -> None:
 def test_limits_are_rounded_to_their_side(number: float) -> None:
     assert float(below(number)) <= number <= float(above(number))
     assert float(above(number)) - float(below(number)) <= 2e-5 * number
+
+
+def test_the_title_of_a_file_says_what_is_wrong_with_a_solution():
+    positions, moving = [(0, 0, 0), (40, 50, 60), (100, 40, -10)], [(0, 0), (60, 0)]
+    branch, order = vad.design("three-positions", positions=positions, moving=moving)
+    assert branch.toml().startswith('title = "Four-bar, changes its assembly"\n')
+    assert order.toml().startswith('title = "Four-bar, another order of positions"\n')
+    kind = load_text(branch.toml().encode(), "branch.toml")
+    assert vad.draw(vad.solve(kind()), "position").title == "Four-bar, changes its assembly"
+    assert (
+        vad.design("slider-crank", stroke=120, time_ratio=1.2)[0]
+        .toml()
+        .startswith('title = "Slider–crank"\n')
+    )

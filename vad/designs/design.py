@@ -202,13 +202,15 @@ class Solution:
     def toml(self) -> str:
         """Return it as a mechanism's file, which every verb reads.
 
+        What is wrong with it stands in its title, and so on each of its drawings.
+
         Examples
         --------
         >>> import vad
         >>> vad.design("slider-crank", stroke=120, time_ratio=1)[0].toml().splitlines()[7:9]
         ['crank = { AB = 60.0 }', 'rod   = { BC = 240.0 }']
         """
-        return file_of(self.answer, self.speed)
+        return file_of(self.answer, self.speed, self.faults)
 
     def to_dict(self) -> dict[str, Any]:
         """Return it as JSON holds it; the names are those of ``vad solve --json``."""

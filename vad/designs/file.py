@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -12,15 +12,20 @@ from vad.files.places import words_for
 from vad.kinematics.motion import solve
 from vad.kinematics.numbers import ray
 from vad.mechanisms import Mechanism
+from vad.words import Language
 
 Table = Mapping[str, Any]
 
 
-def file_of(answer: Answer, omega: float) -> str:
-    """Return the text of the file of an answer; its driver stands in the first position."""
-    mechanism = answer.mechanism
+def file_of(answer: Answer, omega: float, faults: Sequence[str] = ()) -> str:
+    """Return the text of the file of an answer; its driver stands in the first position.
+
+    Its ``faults`` between the positions are in the title.
+    """
+    mechanism, words = answer.mechanism, Language("en").page("DESIGN")
+    title = ", ".join([mechanism.title, *(words[f"fault {fault}"] for fault in faults)])
     tables = {
-        "": {"title": mechanism.title, "unit": mechanism.length_unit},
+        "": {"title": title, "unit": mechanism.length_unit},
         **_TABLES[mechanism.name](mechanism, answer.origin),
         "driver": {"crank": {"angle": answer.places[0], "omega": omega}},
         "assembly": _assembly(answer),
