@@ -126,8 +126,8 @@ function curved(root, body, dock, showing) {
     const layer = svg.querySelector(".hand"), group = document.createElementNS("http://www.w3.org/2000/svg", "g");
     const clip = made(group, "clipPath", { id: `way${i}` }), [from, low, to, high] = data.rooms[i];
     made(clip, "rect", { x: (from - left) * unit, y: (top - high) * unit, width: (to - from) * unit, height: (high - low) * unit });
-    group.setAttribute("class", "ways");
-    layer.prepend(group);
+    group.setAttribute("class", "hand ways");
+    layer.before(group);
     return made(group, "g", { "clip-path": `url(#way${i})` });
   });
   const drawn = tracks.map((each, i) => each.map(([row, , , scale]) => made(ways[i], "path", {
