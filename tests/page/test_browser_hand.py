@@ -371,8 +371,19 @@ def test_the_address_keeps_the_hand(browser: Browser, tmp_path: Path) -> None:
         assert page.evaluate("() => [vad.state.angle, vad.state.omega]") == [128.4, 5]
         press(page, "ArrowRight")
         until(page, lambda: page.url.endswith("#hand&angle=129.4&omega=5"))
+        press(page, "t")
+        until(page, lambda: page.url.endswith("#hand&angle=129.4&omega=5&theme=chalk"))
+        page.reload()
+        expect(page.locator(".vad")).to_have_attribute("data-theme", "chalk")
         press(page, "Escape")
         until(page, lambda: "#step=" in page.url)
+
+
+def test_who_likes_the_dark_sees_the_board(browser: Browser, tmp_path: Path) -> None:
+    for scheme, theme in (("dark", "chalk"), ("light", "paper")):
+        with opened(browser, color_scheme=scheme) as page:
+            show(page, tmp_path, page_of("four-bar"))
+            expect(page.locator(".vad")).to_have_attribute("data-theme", theme)
 
 
 def test_dimensions_are_set_in_the_rail(page: Page) -> None:
@@ -418,6 +429,32 @@ def test_the_ring_and_the_ground_follow_a_new_scale(browser: Browser, tmp_path: 
             )
             == "hidden"
         )
+
+
+def test_a_mechanism_with_other_dimensions_fits_its_panel_in_all_poses(
+    browser: Browser, tmp_path: Path
+) -> None:
+    """A scale is chosen for all poses: it stands while the driver moves, and fills the panel."""
+    ends = """() => [document.querySelector('.scale.hand').textContent,
+      ...['.drawing', '.hand [data-m][r]'].map((each) => {
+        const found = [...document.querySelectorAll(`.panel:first-child ${each}`)];
+        const boxes = found.map((one) => one.getBoundingClientRect());
+        return [Math.min(...boxes.map(({ top }) => top)),
+          Math.max(...boxes.map(({ bottom }) => bottom))];
+      })]"""
+    with opened(browser, viewport={"width": 1280, "height": 720}, reduced_motion="reduce") as page:
+        show(page, tmp_path, page_of("four-bar"))
+        for size, most in ((0.6, 0.3), (1.5, 0.2)):
+            lengths = {"ground": 100, "crank": 40, "coupler": 120, "rocker": 80}
+            pose = {name: size * each for name, each in lengths.items()}
+            bars, filled = set(), 0.0
+            for place in range(0, 360, 20):
+                page.evaluate("(pose) => void vad.pose(pose)", {**pose, "angle": place})
+                bar, (top, bottom), (high, low) = page.evaluate(ends)
+                bars.add(bar)
+                assert top - 1 <= high and low <= bottom + 1, (size, place)
+                filled = max(filled, (low - high) / (bottom - top))
+            assert len(bars) == 1 and filled > most
 
 
 def test_an_angle_of_many_turns_is_folded(page: Page) -> None:

@@ -282,7 +282,7 @@ function docked(root, body, player) {
     root.classList.add("turning");
     one("[data-do=play]").classList.add("on");
     name_("play", words.pause);
-    body.view.steady(body.ranges.flatMap(([from, to]) => [...Array(72).keys()].map((n) => from + (to - from) * (n + 0.5) / 72)));
+    body.view.steady(body.among(72));
     let then = performance.now();
     const tick = (time) => {
       // A page that was hidden goes on from where it stopped.

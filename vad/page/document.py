@@ -36,6 +36,9 @@ _BEGIN = (
 )
 _START = (
     "const root=document.querySelector('.vad'),data=packed[1];"
+    # Who likes the dark is shown the board.
+    "if(/\\bchalk\\b/.test(root.dataset.themes)&&"
+    "matchMedia('(prefers-color-scheme: dark)').matches)root.dataset.theme='chalk';"
     "const svgs=root.querySelectorAll('.drawing svg');"
     "packed[2].forEach((layer,i)=>svgs[i].insertAdjacentHTML('beforeend',layer));"
     "const player=mount(root,data);"

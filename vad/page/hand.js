@@ -13,6 +13,8 @@
 
 // Of the size of a mechanism: two places that are nearer are one.
 const MEETING = 1e-4;
+// In so many poses of a stretch the size of a mechanism is looked up.
+const POSES_WHOLE = 48;
 
 function driven(root, solve, data) {
   const view = picture(root, solve, data), { state, out } = view;
@@ -70,7 +72,11 @@ function driven(root, solve, data) {
     if (now === known) return;
     known = now;
     ranges = now === key(data.start) ? trimmedTo(closes, data.ranges) : stretches(closes, ...ends, turns);
+    view.whole(among(POSES_WHOLE));
   }
+
+  // Places of the driver over its stretches, so many in each.
+  const among = (count) => ranges.flatMap(([low, high]) => [...Array(count).keys()].map((n) => low + (high - low) * (n + 0.5) / count));
 
   const atEnd = () => !full(range) && (state[0] <= range[0] || state[0] >= range[1]);
 
@@ -125,7 +131,7 @@ function driven(root, solve, data) {
   const within = (degrees) => (degrees % 360 + (degrees % 360 < 0 ? 360 : 0));
 
   return {
-    data, turns, ends, state, out, view, solve, closes, holds, set, move, show, key, assembly, assembled, beyond, parting,
+    data, turns, ends, state, out, view, solve, closes, holds, set, move, show, key, among, assembly, assembled, beyond, parting,
     on: (listener) => listeners.push(listener),
     rest: () => { wanted = state[0]; },
     get ranges() { return ranges; },

@@ -166,6 +166,8 @@ function picture(root, solve, data) {
       sizes.steady(poses, solve);
       find([]);
     },
+    // All poses, by their places of the driver, of a mechanism whose dimensions have changed.
+    whole: (poses) => sizes.whole(poses, solve),
     // How many labels have no room in this pose.
     get hidden() { return names.hidden; },
   };

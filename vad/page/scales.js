@@ -1,10 +1,12 @@
 // The scales of polygons: each keeps its scale while it fits its room and is not too small there,
 // as in vad/plan/scale.py, and glides to a new one. A bar states it. A mechanism keeps its scale until
-// a dimension changes.
+// a dimension changes; then all of its poses are to fit.
 //
-// scales(root, data, out, state) -> {choose, steady}. choose(calm) moves all scales, which are
+// scales(root, data, out, state) -> {choose, steady, whole}. choose(calm) moves all scales, which are
 // inputs in the state, a step on their way, and tells whether any is still on it.
 
+// A mechanism may take this share of the size that would fit.
+const SMALL = 0.75;
 const SMALLER = 1 / 3, SHARE = 0.5, THERE = 2e-3, NO_SIZE = 1e-9;
 
 function scales(root, data, out, state) {
@@ -44,7 +46,7 @@ function scales(root, data, out, state) {
     const { inner, to: [x, y, factor] } = polygon, fitting = filling(inner, found);
     const fits = x + factor * found[0] >= inner[0] - 1e-6 && y + factor * found[1] >= inner[1] - 1e-6 &&
       x + factor * found[2] <= inner[2] + 1e-6 && y + factor * found[3] <= inner[3] + 1e-6;
-    const lost = !polygon.mechanism && factor < data.least * fitting;
+    const lost = factor < (polygon.mechanism ? SMALL : data.least) * fitting;
     if (fits && !lost) return;
     const spared = fitting / (1 + data.spare);
     polygon.to = centred(inner, found, lost ? spared : Math.min(spared, factor));
@@ -55,7 +57,7 @@ function scales(root, data, out, state) {
   function choose(still) {
     let moving = false;
     for (const polygon of all) {
-      const found = box(polygon), { input, inner } = polygon, set = state.slice(input, input + 3);
+      const found = polygon.most ?? box(polygon), { input, inner } = polygon, set = state.slice(input, input + 3);
       if (set.some((each, n) => each !== polygon.now[n])) polygon.now = polygon.to = set;
       const none = found && Math.max(found[2] - found[0], found[3] - found[1]) * filling(inner, found) < NO_SIZE;
       if (polygon.mechanism && !resized()) polygon.to = data.start.slice(input, input + 3);
@@ -70,17 +72,29 @@ function scales(root, data, out, state) {
     return moving;
   }
 
-  // One scale for all poses of a turn, which fits the largest; it makes no polygon much smaller than
-  // its own. steady(null) ends that.
-  function steady(poses, solve) {
-    const own = all.map(box), most = own.map((each) => each && [...each]), kept = [...state];
-    for (const pose of poses ?? []) {
-      solve(...kept.with(0, pose), out, 2);
-      all.forEach((polygon, n) => {
+  // The least boxes about what is shown in several poses.
+  function boxes(among, poses, solve, upto, most) {
+    const kept = [...state];
+    for (const pose of poses) {
+      solve(...kept.with(0, pose), out, upto);
+      among.forEach((polygon, n) => {
         const found = box(polygon);
         if (found) most[n] = most[n] ? found.map((each, k) => (k < 2 ? Math.min : Math.max)(each, most[n][k])) : found;
       });
     }
+    return most;
+  }
+
+  // These are all poses of the mechanism with the dimensions of now.
+  function whole(poses, solve) {
+    const own = all.filter(({ mechanism }) => mechanism), most = boxes(own, poses, solve, 0, []);
+    own.forEach((polygon, n) => { polygon.most = most[n]; });
+  }
+
+  // One scale for all poses of a turn, which fits the largest; it makes no polygon much smaller than
+  // its own. steady(null) ends that.
+  function steady(poses, solve) {
+    const own = all.map(box), most = boxes(all, poses ?? [], solve, 2, own.map((each) => each && [...each]));
     all.forEach((polygon, n) => {
       polygon.steady = poses && most[n];
       if (!polygon.steady) return;
@@ -127,5 +141,5 @@ function scales(root, data, out, state) {
     return Number(`${[5, 2].find((step) => step * 10 ** power <= most) ?? 1}e${power}`);
   }
 
-  return { choose, steady, state: bars };
+  return { choose, steady, whole, state: bars };
 }

@@ -36,7 +36,7 @@ _GLOBALS = frozenset(
     re.findall(
         r"\w+",
         """AbortController Array Boolean CustomEvent DOMPoint Error Float64Array Infinity
-        Int32Array JSON Map Math NaN Number
+        Int32Array JSON Map Math MutationObserver NaN Number
         Object Promise ResizeObserver Set String TextDecoder URLSearchParams Uint8Array
         addEventListener atob
         cancelAnimationFrame clearTimeout console document encodeURIComponent

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import cmath
 import math
+from functools import reduce
 from itertools import combinations
 
+from vad.kinematics.numbers import minimum, not_below
 from vad.plan.anchors import Anchor, Area, Chains, Circle, Hung, Term
 from vad.plan.geometry import SHORTEST
 from vad.plan.marks import Growth
@@ -50,8 +52,9 @@ def part_size(panel: Panel, scale: Scale) -> float:
     ]
     spans += [one - other for (_, one), (_, other) in combinations(fixed_points(panel), 2)]
     drawn = [abs(span) * scale.factor for span in spans]
-    shortest = min((length for length in drawn if length > SHORTEST), default=ROOMY)
-    return min(1.0, max(LEAST_SIZE, shortest / ROOMY))
+    rooms = (length / ROOMY for length in drawn if length > SHORTEST)
+    size: float = not_below(LEAST_SIZE, reduce(minimum, rooms, 1.0))  # under the hand, too
+    return size
 
 
 def fixed_points(panel: Panel) -> list[tuple[int, complex]]:
