@@ -8,6 +8,7 @@ import pytest
 import vad
 from vad.plan.format import screen
 from vad.plan.marks import Bow, Lettering
+from vad.plan.pictures.angles import SensePlace
 from vad.plan.turn_board import TurnBoard
 
 
@@ -38,3 +39,15 @@ def test_each_has_its_name_and_its_place(board: TurnBoard, name: str, names: set
         for one, other in combinations(bows, 2):
             apart = [abs(a - b) for a in one.line() for b in other.line()]
             assert min(apart) > 0.01
+
+
+@pytest.mark.parametrize("middle", range(0, 360, 7))
+def test_a_name_is_as_far_from_its_arrow_on_each_side(middle: int):
+    place = SensePlace(0.062, 78.0, float(middle))
+    box = place.letter(0j, "ω₂").box
+    nearest = complex(
+        min(max(0.0, box.left), box.right),
+        min(max(0.0, box.bottom), box.top),
+    )
+    assert abs(nearest) == pytest.approx(0.062 + 0.010)
+    assert np.angle(box.centre * np.exp(-1j * np.radians(middle))) == pytest.approx(0.0, abs=1e-12)

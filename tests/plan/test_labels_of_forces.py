@@ -18,26 +18,52 @@ from vad.kinematics.solver import solver_of
 FEW, MANY = 1, 20
 
 
+def seeds():
+    return range(FEW if settings.default.derandomize else MANY)
+
+
+def force(random, name, places):
+    at, on = places[random.integers(len(places))]
+    size, angle = 10.0 ** random.uniform(0.0, 3.0), random.uniform(0.0, 360.0)
+    return {"name": name, "at": at, "on": on, "force": float(size), "angle": float(angle)}
+
+
+def places_on(bodies):
+    return [(at, on) for at, owners in bodies.at.items() for on in owners]
+
+
 @pytest.mark.exhaustive(9)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_one_load_anywhere(name):
     machine = MACHINES[name]()
-    places = [
-        (at, on) for at, owners in bodies_of(solver_of(machine).plane).at.items() for on in owners
-    ]
-    for seed in range(FEW if settings.default.derandomize else MANY):
+    places = places_on(bodies_of(solver_of(machine).plane))
+    for seed in seeds():
         random = np.random.default_rng(seed)
-        at, on = places[random.integers(len(places))]
-        load = {
-            "name": "P",
-            "at": at,
-            "on": on,
-            "force": float(10.0 ** random.uniform(0.0, 3.0)),
-            "angle": float(random.uniform(0.0, 360.0)),
-        }
-        share = float(random.uniform(0.05, 0.95))
+        load, share = force(random, "P", places), float(random.uniform(0.05, 0.95))
         try:
             sheet = vad.draw(vad.forces(pose(machine, share, slow=0.0), [load]))
         except VadError:  # at a dead centre
             continue
         assert overlaps(sheet) == [], (share, load)
+
+
+@pytest.mark.exhaustive(9)
+@pytest.mark.parametrize("name", sorted(MACHINES))
+def test_a_force_a_couple_and_a_mass_in_motion(name):
+    """Four panels are narrow, and the mechanism bears two curved arrows."""
+    machine = MACHINES[name]()
+    bodies = bodies_of(solver_of(machine).plane)
+    places, links = places_on(bodies), [key for key, body in bodies.bodies.items() if body.link]
+    for seed in seeds():
+        random = np.random.default_rng(seed)
+        couple = {"name": "M", "on": links[random.integers(len(links))], "couple": -3.0}
+        loads = [force(random, "P", places), couple]
+        heavy = links[random.integers(len(links))]
+        fixed = [at for at, on in places if on == heavy and bodies.bodies[heavy].has_fixed(at)]
+        masses = {heavy: {"mass": 2.0, "at": fixed[-1], "inertia": 0.01}}
+        share = float(random.uniform(0.05, 0.95))
+        try:
+            sheet = vad.draw(vad.forces(pose(machine, share), loads, masses))
+        except VadError:  # at a dead centre
+            continue
+        assert overlaps(sheet) == [], (share, loads, masses)

@@ -69,7 +69,7 @@ class Setting:
         """Return what there is to keep clear of before anything is drawn."""
         if self.taken is None:
             return Obstacles(self.room)
-        return Obstacles(self.room, [*self.taken.lines], [*self.taken.boxes])
+        return replace(self.taken.copy(), edge=self.room)
 
     def row(self, link: str | None) -> int | None:
         """Return the row of a link or slide; None for the frame of the mechanism."""

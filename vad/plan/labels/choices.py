@@ -22,6 +22,7 @@ from vad.plan.labels.vertices import (
     GAPS,
     LETTER,
     SMALL_SIZE,
+    SMALLER,
     Vertex,
     add_tag,
     label_vertices,
@@ -72,11 +73,15 @@ class PlacedLabels:
     def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
         """Add a value; see `LabelChoice`."""
         stroke = sketch.setting.panel.strokes[index]
-        runs = roman(stroke.label)
-        placed = _beside_arc(arc, *ink_size(runs, VALUE), sketch.obstacles)
+        runs, size = roman(stroke.label), VALUE
+        placed = _beside_arc(arc, *ink_size(runs, size), sketch.obstacles)
+        if placed.forced:
+            size *= SMALLER
+            placed = _beside_arc(arc, *ink_size(runs, size), sketch.obstacles)
+        sketch.obstacles.box(placed.box)
         sketch.tags.append(Tag(stroke.label, placed.box))
         centre = Anchor.of(stroke.name, "centre")
-        value = text_beside(centre, arc.centre, runs, placed.centre, VALUE, "value")
+        value = text_beside(centre, arc.centre, runs, placed.centre, size, "value")
         sketch.add(stroke, Level.LABEL, sketch.setting.after(index), [value])
 
     def vector(self, sketch: Sketch, index: int, name: str) -> None:
@@ -96,11 +101,9 @@ def _beside_arc(arc: Bow, wide: float, high: float, obstacles: Obstacles) -> Pla
             centres.append(beside(arc.centre + arc.radius * way, way, gap, wide, high))
         free = obstacles.free(centres, wide, high, CLEARANCE, APART)
         if free.any():
-            placed = Placed(centres[int(free.argmax())], wide, high)
-            obstacles.box(placed.box)
-            return placed
+            return Placed(centres[int(free.argmax())], wide, high)
     way = cmath.exp(1j * math.radians(arc.start + 0.5 * arc.sweep))
-    return place(obstacles, Wish(arc.centre + arc.radius * way, way, wide, high))
+    return place(obstacles.copy(), Wish(arc.centre + arc.radius * way, way, wide, high))
 
 
 def ends_of(stroke: Stroke) -> tuple[Anchor, Anchor]:

@@ -62,6 +62,10 @@ class Obstacles:
         way = complex(box.width - across, box.height - across) / 2
         self.line([box.centre - way, box.centre + way], across / 2)
 
+    def copy(self) -> Obstacles:
+        """Return the same obstacles, to which others may be added."""
+        return Obstacles(self.edge, [*self.lines], [*self.boxes])
+
     def during(self, span: Span) -> Obstacles:
         """Return only the obstacles that are visible at some time in ``span``."""
         return Obstacles(

@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -40,12 +40,16 @@ OFF, CLOSE_BY = 0.010, 0.035
 
 @dataclass(frozen=True, slots=True)
 class Placed:
-    """Where a label's ink box goes; ``leader`` is a line to its dot where it stands far off."""
+    """Where a label's ink box goes; ``leader`` is a line to its dot where it stands far off.
+
+    It is ``forced`` where no place was clear of everything.
+    """
 
     centre: complex
     wide: float
     high: float
     leader: tuple[complex, complex] | None = None
+    forced: bool = False
 
     @property
     def box(self) -> Rect:
@@ -108,6 +112,22 @@ def beside(at: complex, way: complex, gap: float, wide: float, high: float) -> c
     across = wide / 2 / aside if aside > 1e-9 else math.inf
     upright = high / 2 / above if above > 1e-9 else math.inf
     return at + way * (gap + (across if across < upright else upright))
+
+
+def beyond_circle(way: complex, radius: float, wide: float, high: float) -> complex:
+    """Return the centre of a box in the direction ``way`` that touches a circle from outside.
+
+    The circle is about the origin.  It meets a side of the box or, where it bends away from both
+    sides, a corner.
+    """
+    aside, above, half_x, half_y = abs(way.real), abs(way.imag), wide / 2, high / 2
+    if above * (radius + half_x) <= aside * half_y:
+        return way * ((radius + half_x) / aside)
+    if aside * (radius + half_y) <= above * half_x:
+        return way * ((radius + half_y) / above)
+    along = aside * half_x + above * half_y
+    across = aside * half_y - above * half_x
+    return way * (along + math.sqrt(radius * radius - across * across))
 
 
 def outward(ways: Iterable[complex]) -> complex:
@@ -207,7 +227,10 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
         if best or (bare and tight):
             break
         clear, apart = (0.5 * PIXEL, 0j) if tight else (CLEARANCE, APART)
-        spots = [_led(wish, each) for each in _first_free(obstacles, wish, centres, clear, apart)]
+        spots = [
+            replace(_led(wish, each), forced=tight)
+            for each in _first_free(obstacles, wish, centres, clear, apart)
+        ]
         leaders = [spot.leader or (spot.centre, spot.centre) for spot in spots]
         through = ~obstacles.clear_of_labels(leaders, 1.5 * PIXEL)
         for spot, (start, end), blocked in zip(spots, leaders, through.tolist(), strict=True):
@@ -216,8 +239,8 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
                 return spot
             if covered + LENGTH_COUNTS * abs(end - start) < least:
                 least, best = covered + LENGTH_COUNTS * abs(end - start), spot
-            bare = bare or Placed(spot.centre, wish.wide, wish.high)
-    last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high)
+            bare = bare or replace(spot, leader=None)
+    last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high, forced=True)
     return best or bare or last
 
 

@@ -36,15 +36,19 @@ from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Arrow, Block, Dot, Panel, Plate, Stroke
 
 LETTER = 0.040
+#: The sizes of letters: a smaller one where some have no clear place.
+LETTERS = (LETTER, 0.035, 0.030)
 #: Within this distance a letter that comes again names the same dot.
 COINCIDENT = 0.012
 #: Two ways to one point lead to places that differ by rounding alone.
 SAME = 1e-9
 #: The number of letters in one line, and the distance of lines.
 IN_LINE = 4
-LEADING = 1.15 * LETTER
+LEADING = 1.15  # of their size
 SIZE = 0.033
 SMALL_SIZE = 0.030
+#: The size of a name that has no clear place, as a share.
+SMALLER = 0.85
 GAPS = (0.013, 0.022, 0.034)
 SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.10, 0.90)
 
@@ -219,18 +223,36 @@ def leader_of(anchor: Anchor, at: complex, ends: tuple[complex, complex]) -> Mar
 def label_vertices(
     sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
 ) -> None:
-    """Place the labels of all vertices, each once for all strokes."""
-    wishes = [
-        replace(wish(vertex, vertices, radius, near), span=_span(sketch, vertex))
-        for vertex in vertices
-    ]
-    for index, placed in place_all(sketch.obstacles, wishes):
-        _letter(sketch, vertices[index], placed)
+    """Place the labels of all vertices, each once for all strokes.
+
+    They have one size, the largest at which each has a clear place.
+    """
+    tried: list[tuple[int, float, list[tuple[int, Placed]], Obstacles]] = []
+    for size in LETTERS:
+        wishes = [
+            replace(wish(vertex, vertices, radius, near, size), span=_span(sketch, vertex))
+            for vertex in vertices
+        ]
+        crowd = sketch.obstacles.copy()
+        found = list(place_all(crowd, wishes))
+        tried.append((sum(placed.forced for _, placed in found), size, found, crowd))
+        if not tried[-1][0]:
+            break
+    _, size, found, crowd = min(tried, key=lambda each: each[0])
+    sketch.obstacles = crowd
+    for index, placed in found:
+        _letter(sketch, vertices[index], placed, size)
 
 
-def wish(vertex: Vertex, all_: Sequence[Vertex], radius: float, near: Sequence[float]) -> Wish:
+def wish(
+    vertex: Vertex,
+    all_: Sequence[Vertex],
+    radius: float,
+    near: Sequence[float],
+    letter: float = LETTER,
+) -> Wish:
     """Return the place that the label of a vertex asks for: away from dots close by."""
-    size = _size(tuple(vertex.letters))
+    size = _size(tuple(vertex.letters), letter)
     rivals = [other.at for other in all_ if other is not vertex]
     close = [direction_of(vertex.at, at) for at in rivals if SAME < abs(at - vertex.at) < CLOSE_BY]
     first = outward(close or vertex.ways)
@@ -243,10 +265,10 @@ def _rows(letters: tuple[str, ...]) -> list[tuple[str, ...]]:
 
 
 @lru_cache(maxsize=512)
-def _size(letters: tuple[str, ...]) -> tuple[float, float]:
-    """Return the width and height of a label."""
-    widths, heights = zip(*(ink_size(_set(row), LETTER) for row in _rows(letters)), strict=True)
-    return max(widths), max(heights) + (len(heights) - 1) * LEADING
+def _size(letters: tuple[str, ...], size: float) -> tuple[float, float]:
+    """Return the width and height of a label whose letters have a size."""
+    widths, heights = zip(*(ink_size(_set(row), size) for row in _rows(letters)), strict=True)
+    return max(widths), max(heights) + (len(heights) - 1) * LEADING * size
 
 
 def _span(sketch: Sketch, vertex: Vertex) -> Span:
@@ -258,7 +280,7 @@ def _set(letters: Sequence[str]) -> Runs:
     return symbols(", ".join(letters))
 
 
-def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
+def _letter(sketch: Sketch, vertex: Vertex, placed: Placed, size: float) -> None:
     """Add the label of a vertex, which grows by a letter with the stroke that brings it."""
     setting, rows = sketch.setting, vertex.rows
     strokes = setting.panel.strokes
@@ -272,11 +294,11 @@ def _letter(sketch: Sketch, vertex: Vertex, placed: Placed) -> None:
         texts = []
         for number, row in enumerate(rows):
             known = [letter for letter in row if vertex.letters[letter] <= index]
-            above = 1j * LEADING * ((len(rows) - 1) / 2 - number)
+            above = 1j * LEADING * size * ((len(rows) - 1) / 2 - number)
             if known:
                 hung, runs = (vertex.anchor, vertex.at), (_set(known), _set(row))
                 spot = placed.centre + above
-                text = text_beside(*hung, runs[0], spot, LETTER, "letter", whole=runs[1])
+                text = text_beside(*hung, runs[0], spot, size, "letter", whole=runs[1])
                 texts.append(text)
         sketch.add(strokes[index], Level.LABEL, setting.after(index), texts, until)
 
@@ -293,12 +315,18 @@ def add_tag(
 ) -> None:
     """Write ``text`` beside the line between ``ends``, nearest its middle; it hangs on the first.
 
-    It keeps clear of all that shows in its ``span`` of beats, and appears at ``since``.
+    It keeps clear of all that shows in its ``span`` of beats, and appears at ``since``.  Without a
+    clear place it is smaller; if it has none then, and would go again, it is left out.
     """
     runs, row = symbols(text), sketch.setting.row(stroke.link)
     start, end = sketch.solved.places(ends)
     first, last = plain(start), plain(end)
     placed = _along(sketch.obstacles.during(span), first, last, runs, size)
+    if placed.forced:
+        size *= SMALLER
+        placed = _along(sketch.obstacles.during(span), first, last, runs, size)
+        if placed.forced and span[1] != FOREVER:
+            return
     if is_symbolic(end - start) and first != last and not placed.leader:  # it turns with the line
         turn = (end - start) / (last - first)
         placed = replace(placed, centre=start + (placed.centre - first) * (turn / abs(turn)))

@@ -17,7 +17,7 @@ from vad.kinematics.numbers import direction, fold
 from vad.plan.anchors import RIGHT, Anchor, AngleArc, Arch, Area, Hung, Term
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
+from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside, beyond_circle
 from vad.plan.labels.vertices import text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
@@ -100,7 +100,7 @@ class SensePlace:
         """Return the place of its ω, or of another name."""
         wide, high = ink_size(symbols(name), SIZE)
         out = cmath.exp(1j * math.radians(self.middle))
-        return Placed(beside(centre + self.radius * out, out, 0.010, wide, high), wide, high)
+        return Placed(centre + beyond_circle(out, self.radius + 0.010, wide, high), wide, high)
 
 
 def free_place(
@@ -116,12 +116,7 @@ def free_place(
     ``sense`` is ±1, the sense in which it turns, ``name`` what is written beside it, ``largest``
     the largest radius.  None where no place is free.
     """
-    turns = sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t))
-    places = [
-        SensePlace(radius, span, crank + sense * (SENSE_LEAD + turn))
-        for (radius, span), turn in itertools.product(SENSE_SIZES, turns)
-        if radius <= largest
-    ]
+    places = [place for place in _ahead(crank, sense) if place.radius <= largest]
     letters = [place.letter(centre, name) for place in places]
     spots, first = [letter.centre for letter in letters], letters[0]
     clear = obstacles.free(spots, first.wide, first.high, CLEARANCE, APART)
@@ -134,6 +129,31 @@ def free_place(
         if obstacles.clear_of_labels(list(itertools.pairwise(line)), 0.004).all():
             return places[number]
     return None
+
+
+def least_crossing(obstacles: Obstacles, centre: complex, crank: float, sense: float) -> SensePlace:
+    """Return the place at which a curved arrow crosses the fewest labels, and then strokes.
+
+    See `free_place`; here it needs no room for its name.
+    """
+
+    def crossed(place: SensePlace) -> tuple[int, int, int]:
+        line = place.line(centre)
+        outside = sum(not obstacles.edge.holds(point, -0.006) for point in line)
+        labels = ~obstacles.clear_of_labels(list(itertools.pairwise(line)), 0.004)
+        strokes = ~obstacles.free(line, 0.0, 0.0, 0.004)
+        return outside, int(labels.sum()), int(strokes.sum())
+
+    return min(_ahead(crank, sense), key=crossed)
+
+
+def _ahead(crank: float, sense: float) -> list[SensePlace]:
+    """Return places for a curved arrow, the best first: small ones ahead of a crank."""
+    turns = sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t))
+    return [
+        SensePlace(radius, span, crank + sense * (SENSE_LEAD + turn))
+        for (radius, span), turn in itertools.product(SENSE_SIZES, turns)
+    ]
 
 
 def calm_place(poses: Iterable[tuple[complex, Obstacles]], name: str = "ω") -> SensePlace:

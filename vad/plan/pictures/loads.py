@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 from vad.plan.anchors import RIGHT, Anchor, Arch, Area, Hung
+from vad.plan.geometry import direction_of
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.vertices import text_beside
+from vad.plan.labels.placing import Placed, Wish, place
+from vad.plan.labels.vertices import leader_of, text_beside
+from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.marks import Trimming
 from vad.plan.pictures import angles
@@ -23,6 +25,8 @@ from vad.strokes.sheet import Arc, Arrow, Panel
 NEAR = 0.09
 #: Half of the width of a curved arrow.
 LINE = 0.004
+#: How far the name of a couple may stand from it without a leader.
+NAME_NEAR = (0.010, 0.018, 0.028)
 #: The place of a couple about which nothing is known.
 CALM = angles.SensePlace(0.062, 78.0, 60.0)
 
@@ -42,14 +46,25 @@ def add_load(sketch: Sketch, index: int) -> None:
     placed.block(sketch.obstacles, during)
 
 
-def free_couple(sketch: Sketch, index: int) -> angles.SensePlace:
-    """Return the place of a curved arrow about its centre, clear of everything where it can be."""
-    stroke = sketch.setting.panel.strokes[index]
+def free_couple(sketch: Sketch, index: int) -> tuple[angles.SensePlace, Placed]:
+    """Return the places of a curved arrow about its centre, and of its name.
+
+    They are clear of everything if they can be.  Else the arrow crosses as little as possible, and
+    its name stands where there is room.
+    """
+    stroke, obstacles = sketch.setting.panel.strokes[index], sketch.obstacles
     shape = stroke.shape
     assert isinstance(shape, Arc)
     centre, sense = sketch.scale(shape.centre), math.copysign(1.0, shape.sweep)
-    found = angles.free_place(sketch.obstacles, centre, shape.start, sense, stroke.label, NEAR)
-    return found or replace(CALM, middle=shape.start + 63.0 * sense)
+    found = angles.free_place(obstacles, centre, shape.start, sense, stroke.label, NEAR)
+    if found:
+        return found, found.letter(centre, stroke.label)
+    arrow = angles.least_crossing(obstacles, centre, shape.start, sense)
+    line, crowd = arrow.line(centre), obstacles.copy()
+    crowd.line(line, LINE)
+    middle = line[len(line) // 2]
+    size = ink_size(symbols(stroke.label), angles.SIZE)
+    return arrow, place(crowd, Wish(middle, direction_of(centre, middle), *size, near=NAME_NEAR))
 
 
 def calm_couples(
@@ -60,7 +75,7 @@ def calm_couples(
     There it meets strokes, and those before it, in the fewest poses.
     """
     found: dict[str, angles.SensePlace] = {}
-    taken = [Obstacles(each.edge, [*each.lines], [*each.boxes]) for each in crowds]
+    taken = [each.copy() for each in crowds]
     strokes = {s.name: s for pose in poses for s in pose.strokes if is_curved_arrow(s)}
     for name, stroke in strokes.items():
         seen = [
@@ -69,15 +84,20 @@ def calm_couples(
             for each in pose.strokes
             if each.name == name and isinstance(each.shape, Arc)
         ]
-        place = found[name] = angles.calm_place(seen, stroke.label)
+        arrow = found[name] = angles.calm_place(seen, stroke.label)
         for centre, crowd in seen:
-            crowd.line(place.line(centre), LINE)
-            crowd.box(place.letter(centre, stroke.label).box)
+            crowd.line(arrow.line(centre), LINE)
+            crowd.box(arrow.letter(centre, stroke.label).box)
     return found
 
 
-def add_couple(sketch: Sketch, index: int, place: angles.SensePlace) -> None:
-    """Add one couple as a curved arrow with its name, at a place about its centre."""
+def add_couple(
+    sketch: Sketch, index: int, arrow: angles.SensePlace, letter: Placed | None = None
+) -> None:
+    """Add one couple as a curved arrow, at a place about its centre, with its name.
+
+    Its name stands beside its middle, if it has no other place.
+    """
     setting, stroke = sketch.setting, sketch.setting.panel.strokes[index]
     shape = stroke.shape
     assert isinstance(shape, Arc)
@@ -86,16 +106,17 @@ def add_couple(sketch: Sketch, index: int, place: angles.SensePlace) -> None:
     centre, row = Anchor.of(stroke.name, "centre"), setting.row(stroke.link)
     at = sketch.solved.place(centre)
     bow, head = angles.curved_arrow(
-        place.radius, place.middle, math.copysign(place.span, shape.sweep)
+        arrow.radius, arrow.middle, math.copysign(arrow.span, shape.sweep)
     )
     role = "couple" if stroke.component == "couple" else "sense"
     arch = Arch(centre, bow.radius, bow.start, bow.sweep)
     sketch.hang(index, Level.BLOCK, [Hung(arch, role, row, Trimming())])
-    letter, runs = place.letter(at, stroke.label), symbols(stroke.label)
+    letter, runs = letter or arrow.letter(at, stroke.label), symbols(stroke.label)
     marks = [Hung(Area(tuple(centre + RIGHT * corner for corner in head)), "head", row)]
     sketch.hang(index, Level.BLOCK, marks, since="after")
     name = text_beside(centre, at, runs, letter.centre, angles.SIZE, "tag", row)
-    sketch.add(stroke, Level.LABEL, setting.after(index), [name])
+    leader = [leader_of(centre, at, letter.leader)] if letter.leader else []
+    sketch.add(stroke, Level.LABEL, setting.after(index), [*leader, name])
     sketch.tags.append(Tag(stroke.label, letter.box))
     sketch.obstacles.box(letter.box)
-    sketch.obstacles.line(place.line(at), LINE)
+    sketch.obstacles.line(arrow.line(at), LINE)

@@ -288,7 +288,7 @@ class Skeleton:
         if not sketch.finished:
             for index, stroke in enumerate(panel.strokes):
                 if is_curved_arrow(stroke):
-                    add_couple(sketch, index, free_couple(sketch, index))
+                    add_couple(sketch, index, *free_couple(sketch, index))
         angles.add_speed(sketch, self.size)
 
     def _add_pivots(self, sketch: Sketch, vertices: Sequence[Vertex]) -> None:
