@@ -1,7 +1,7 @@
-"""The answer of a lesson in words: how the output of the mechanism moves in this pose.
+"""The answer of a lesson in words: what must drive the mechanism, or how its output moves.
 
 It is told from the sheet alone: "At 60° the slider C moves to the left at 639.5 mm/s and gains
-speed."
+speed."  "At 120° the torque *T* = 18.69 N·m, clockwise, must act on the crank AB."
 """
 
 from __future__ import annotations
@@ -15,22 +15,57 @@ from vad.strokes.sheet import Arrow, Cell, Curve, Row, Sheet, Stroke
 
 #: The panels in whose rows the rates stand, the first that there is.
 _RATES = (VELOCITY.panel, "turned", "centres")
+#: The panel of the driven body alone, and the vector of the force on it.
+DRIVE, SLIDING = "drive", "drive.action"
+#: The title of the row in which the length of a driven cylinder stands.
+CYLINDER = Noun("stroke", generic="")
 #: A rate below this share of the largest one counts as zero.
 _REST = 1e-9
 
 
 def answer(sheet: Sheet) -> Sentence | None:
-    """Return how the output of a mechanism moves, or what balances a shaft.
+    """Return what drives a mechanism with loads, how another one moves, or what balances a shaft.
 
     None for a sheet without velocities, on which nothing was to be found.
     """
+    return _drive(sheet) or _motion(sheet)
+
+
+def _drive(sheet: Sheet) -> Sentence | None:
+    """Return the torque or the force of the drive, with its sense; None where none is drawn."""
+    rows = [row for row in sheet.rows if row.key == sheet.driver.row and row.cells.get(DRIVE)]
+    if not rows:
+        return None
+    row, cell = rows[0], rows[0].cells[DRIVE][0]
+    parts: dict[str, SentencePart] = {
+        "place": _place(sheet),
+        "name": _name(row, slides=not sheet.driver.turns),
+        "of": row.letters,
+        "symbol": cell.symbol,
+        "value": Figure(abs(cell.value), cell.unit),
+        "unit": Unit(cell.unit),
+    }
+    if not cell.value:
+        return _said(sheet, "answer undriven", parts)
+    if sheet.driver.turns:
+        return _said(sheet, "answer torque", parts | {"way": _said(sheet, _sense(cell.value))})
+    if isinstance(row.title, Text) and row.title.said == CYLINDER:
+        return _said(sheet, "answer pushes" if cell.value > 0.0 else "answer pulls", parts)
+    force = next(each.shape for each in sheet.panel(DRIVE).strokes if each.name == SLIDING)
+    assert isinstance(force, Arrow)
+    way = _direction(force.end - force.start)
+    return _said(sheet, "answer force", parts | {"way": _said(sheet, way)})
+
+
+def _motion(sheet: Sheet) -> Sentence | None:
+    """Return how the output moves, or what balances a shaft."""
     row = _output(sheet)
     if row is None:
         return _of_klein(sheet) or answer_of_balancing(sheet)
     (rate, *_), growth = row.cells[_panel(row)], row.cells.get(ACCELERATION.panel, ())
     parts: dict[str, SentencePart] = {
         "place": _place(sheet),
-        "name": _name(row),
+        "name": _name(row, slides=row.cells[_panel(row)][0].unit != "rad/s"),
         "of": row.letters,
         "symbol": rate.symbol,
         "rate": Figure(rate.value, rate.unit),
@@ -112,10 +147,9 @@ def _moves(row: Row) -> bool:
     return bool(cells) and not cells[0].given
 
 
-def _name(row: Row) -> Noun:
-    """Return the name of a link or slide, as its title has it."""
+def _name(row: Row, slides: bool) -> Noun:
+    """Return the name of a link, or of what slides, as its title has it."""
     said = row.title.said if isinstance(row.title, Text) else None
-    slides = row.cells[_panel(row)][0].unit != "rad/s"
     name = said.name if isinstance(said, Noun) else row.key
     return Noun(name, generic="slider" if slides else "link")
 
@@ -151,7 +185,7 @@ def _way(sheet: Sheet, row: Row) -> str:
     if any(panel.picture == "views" for panel in sheet.panels):
         return ""
     if rate.unit == "rad/s":
-        return "counter-clockwise" if rate.value > 0.0 else "clockwise"
+        return _sense(rate.value)
     panel = sheet.panel(name)
     back = ray(next((e.degrees for e in panel.turned if e.panel == VELOCITY.panel), 0.0))
     for stroke in panel.strokes:
@@ -159,6 +193,11 @@ def _way(sheet: Sheet, row: Row) -> str:
             way = (stroke.shape.end - stroke.shape.start) * back
             return _direction(way)
     return ""
+
+
+def _sense(turning: float) -> str:
+    """Return the phrase for the sense in which something turns."""
+    return "counter-clockwise" if turning > 0.0 else "clockwise"
 
 
 def _direction(way: complex) -> str:

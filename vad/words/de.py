@@ -231,6 +231,20 @@ PHRASES = {
     "answer moves": "{place} bewegt sich {name:der} {of} {way} mit {rate} {unit}{trend}.",
     "answer measures": "{place} hat {name:der} {of} {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place} steht {name:der} {of} für einen Augenblick still.",
+    "answer pushes": (
+        "{place} muss der Antrieb die Enden von {of} mit {symbol} = {value} {unit} "
+        "auseinanderdrücken."
+    ),
+    "answer pulls": (
+        "{place} muss der Antrieb die Enden von {of} mit {symbol} = {value} {unit} zusammenziehen."
+    ),
+    "answer torque": (
+        "{place} muss das Drehmoment *{symbol}* = {value} {unit} {way} an {name:dem} {of} wirken."
+    ),
+    "answer force": (
+        "{place} muss die Kraft {symbol} = {value} {unit} {name:den} {of} {way} antreiben."
+    ),
+    "answer undriven": "{place} braucht {name:der} {of} keinen Antrieb.",
     "answer gains": " und wird schneller",
     "answer loses": " und wird langsamer",
     "answer steady": "",

@@ -235,6 +235,17 @@ PHRASES = {
     "answer moves": "{place} the {name} {of} moves {way} at {rate} {unit}{trend}.",
     "answer measures": "{place} the {name} {of} has {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place} the {name} {of} stands still for an instant.",
+    "answer pushes": (
+        "{place} the drive must push the ends of {of} apart with {symbol} = {value} {unit}."
+    ),
+    "answer pulls": (
+        "{place} the drive must pull the ends of {of} together with {symbol} = {value} {unit}."
+    ),
+    "answer torque": (
+        "{place} the torque *{symbol}* = {value} {unit}, {way}, must act on the {name} {of}."
+    ),
+    "answer force": "{place} the force {symbol} = {value} {unit} must drive the {name} {of} {way}.",
+    "answer undriven": "{place} the {name} {of} needs no drive.",
     "answer gains": " and gains speed",
     "answer loses": " and loses speed",
     "answer steady": "",

@@ -235,6 +235,19 @@ PHRASES = {
     "answer moves": "{place}, {name:le} {of} se déplace {way} à {rate} {unit}{trend}.",
     "answer measures": "{place}, {name:le} {of} a {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place}, {name:le} {of} est immobile un instant.",
+    "answer pushes": (
+        "{place}, le moteur doit écarter les extrémités de {of} avec {symbol} = {value} {unit}."
+    ),
+    "answer pulls": (
+        "{place}, le moteur doit rapprocher les extrémités de {of} avec {symbol} = {value} {unit}."
+    ),
+    "answer torque": (
+        "{place}, le couple *{symbol}* = {value} {unit} doit agir sur {name:le} {of}, {way}."
+    ),
+    "answer force": (
+        "{place}, la force {symbol} = {value} {unit} doit entraîner {name:le} {of} {way}."
+    ),
+    "answer undriven": "{place}, {name:le} {of} ne demande aucun effort moteur.",
     "answer gains": " et accélère",
     "answer loses": " et ralentit",
     "answer steady": "",
