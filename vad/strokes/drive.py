@@ -53,7 +53,12 @@ def drive_drawing(scene: Any) -> Drawing:
 
 
 def drive_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
-    """Return the torque in the row of the driven link, or the force in that of what slides."""
+    """Return the torque in the row of the driven link, or the force in that of what slides.
+
+    The couples of loads stand in the row of these, beside the torque, which they are measured like.
+    """
+    if key == LOADS:
+        return scene.force_names.given_couples
     forces = scene.force_names.forces
     if key != scene.driver.name or slides is (scene.driver.kind == "angle"):
         return ()

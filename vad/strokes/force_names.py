@@ -290,6 +290,14 @@ class ForceNames(BodyNames):
                     return "" if square else dyad.inner.point
         raise AssertionError(half.bodies)
 
+    @property
+    def given_couples(self) -> tuple[Cell, ...]:
+        """The cells of the couples that are given as loads; captions say them all."""
+        unit = self.forces.moment_unit
+        given = [each for each in self.couples if each.kind == "couple"]
+        cells = [Cell(self.couple(each), each.value, unit, given=True) for each in given]
+        return tuple(cells[:MOST])
+
     def cells(self, key: str) -> tuple[Cell, ...]:
         """Return the cells of a row of the results."""
         if key == LOADS:

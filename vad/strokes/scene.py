@@ -157,11 +157,11 @@ class Scene(CaptionedMotion, ABC):
             strut = mechanism.links.get(name)  # a strut: its slide has its letters
             title = say("stroke" if strut else name.split("_", maxsplit=1)[0])
             rows.append(Row(name, title, strut or mechanism.slides[name], cells))
-        of_loads = [each for each in diagrams if each.name in ("position", "force")]
+        of_loads = [each for each in diagrams if each.name in ("position", "force", "drive")]
         if self.forces is not None and of_loads:
             cells = dict.fromkeys([each.name for each in diagrams], ())
             for each in of_loads:
-                if each.name == "force":
+                if each.name != "position":
                     cells[each.name] = each.cells(self, LOADS, False)
             rows.append(Row(LOADS, say(LOADS), "", cells))
         return rows + pin_rows(self, diagrams)
