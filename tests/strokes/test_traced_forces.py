@@ -46,17 +46,18 @@ MACHINES: dict[str, tuple[Any, Burden]] = {
     ),
 }
 #: What is drawn in every pose; the parts of a vector are not, nor are tools.
+PANELS = ("force", "drive")
 WHOLE = ("whole", "load", "action", "bar")
 CLOSE = 1e-9
 
 
 def drawn(sheet: Sheet) -> dict[Any, float]:
-    """Return the numbers of force polygons, and of the table."""
+    """Return the numbers of force polygons, of the driven body alone, and of the table."""
     names = {
         (panel.name, stroke.name)
         for panel in sheet.panels
         for stroke in (*panel.strokes, *panel.zeros)
-        if panel.name == "force" and isinstance(stroke.shape, Arrow) and stroke.part.which in WHOLE
+        if panel.name in PANELS and isinstance(stroke.shape, Arrow) and stroke.part.which in WHOLE
     }
     return {key: x for key, x in numbers(sheet) if key[:2] in names or key[0] == "row"}
 
@@ -66,7 +67,7 @@ def test_forces_of_one_pose_drawn_with_traced_numbers_are_those_of_every_pose(na
     machine, burden = MACHINES[name]
     first, *others = poses(machine, 1)
     poles = hand_poles(machine, burden)
-    traced = traced_sheet(machine, first, burden=burden, poles=poles.traced)
+    traced = traced_sheet(machine, first, burden=burden, held=poles.traced)
     found = drawn(traced.sheet)
     program = traced.program(found.values())
     given = [np.array([pose[key] for pose in others]) for key in first]
@@ -75,18 +76,18 @@ def test_forces_of_one_pose_drawn_with_traced_numbers_are_those_of_every_pose(na
     for number, pose in enumerate(others):
         try:
             motion, forces = parted(with_forces(vad.solve(machine, **pose), burden))
-            scene = scene_of(motion, Language("en"), forces, poles.traced(pose))
+            scene = scene_of(motion, Language("en"), forces, **poles.traced(pose))
             wanted = drawn(sheet_of(scene, chosen(None, motion, forces)))
         except VadError:
             continue
         largest: dict[Any, float] = {}
         for key, value in wanted.items():
-            kind = key[0] if key[0] == "force" else key[2:3]
+            kind = key[0] if key[0] in PANELS else key[2:3]
             largest[kind] = max(largest.get(kind, 1.0), abs(value))
         for key, value in wanted.items():
             if key not in table:
                 continue
             seen += 1
-            kind = key[0] if key[0] == "force" else key[2:3]
+            kind = key[0] if key[0] in PANELS else key[2:3]
             assert abs(table[key][number] - value) <= CLOSE * largest[kind], (key, pose)
     assert seen > 10 * len(others)

@@ -1,6 +1,7 @@
 """Where force polygons stand over a turn: each has a pole that is the same in all poses.
 
-Under a hand that changes the rates, too, the poles move apart as far as inertia forces grow.
+Under a hand that changes the rates, too, the poles move apart as far as inertia forces grow.  The
+arrows on the driven body are measured by one force in all poses, which grows in the same way.
 """
 
 from __future__ import annotations
@@ -95,6 +96,8 @@ class HandPoles:
     ----------
     poles
         Those with the usual rates.
+    largest
+        The largest force on the driven body, with these rates.
     inertia
         The share of inertia forces in the largest sum of all that acts.
     rates
@@ -102,15 +105,20 @@ class HandPoles:
     """
 
     poles: Mapping[int, complex]
+    largest: float
     inertia: float
     rates: float
 
-    def traced(self, inputs: Mapping[str, float]) -> Mapping[int, complex]:
-        """Return the poles at other rates, which may be traced."""
+    def traced(self, inputs: Mapping[str, float]) -> dict[str, Any]:
+        """Return the poles and the largest force at other rates, which may be traced.
+
+        They have the names that they have in a scene.
+        """
         if not self.inertia:
-            return self.poles
+            return {"poles": self.poles, "largest": self.largest}
         factor = 1.0 - self.inertia + self.inertia / self.rates * _growth(inputs)
-        return {number: factor * pole for number, pole in self.poles.items()}
+        poles = {number: factor * pole for number, pole in self.poles.items()}
+        return {"poles": poles, "largest": factor * self.largest}
 
 
 def _growth(inputs: Mapping[str, float]) -> float:
@@ -138,4 +146,5 @@ def hand_poles(mechanism: Mechanism, burden: Burden | None) -> HandPoles | None:
             sizes[each.kind == "inertia"] += np.abs(found.acts(number))
     both = float(np.nanmax(sizes[True] + sizes[False])) or 1.0
     inertia = float(np.nanmax(sizes[True])) / both
-    return HandPoles(poles_of(found), min(inertia, 1.0), _growth({place: 0.0, **usual}))
+    share, rates = min(inertia, 1.0), _growth({place: 0.0, **usual})
+    return HandPoles(poles_of(found), largest_on_driver(found), share, rates)

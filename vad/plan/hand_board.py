@@ -35,9 +35,9 @@ from vad.plan.pictures.vectors import ALONE, place_vectors
 from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
 from vad.plan.sketch import Sketch
-from vad.strokes.draw import NO_PINS, NO_POLES, parted, scene_of, sheet_of, with_forces
+from vad.strokes.draw import NO_PINS, parted, scene_of, sheet_of, with_forces
 from vad.strokes.sheet import Arrow, Block, Panel, Sheet
-from vad.strokes.traced_sheet import TracedSheet, traced_sheet
+from vad.strokes.traced_sheet import TracedSheet, nothing_held, traced_sheet
 from vad.words import Language
 
 if TYPE_CHECKING:
@@ -58,6 +58,8 @@ _ASIDE = 0.37
 MANY, SMALL = 8, 0.75
 #: No angle takes more room.
 _WIDEST_ANGLE = roman("000.0°")
+#: The panels of forces.
+OF_FORCES = {"force", "drive"}
 #: Rates with which no vector vanishes.
 _RATES = (1.0, 0.37)
 
@@ -311,7 +313,7 @@ def hand_board(
         If it closes nowhere.
     """
     inputs = poses_over_reach(mechanism)
-    poles = hand_poles(mechanism, burden) if "force" in panels else None
+    poles = hand_poles(mechanism, burden) if OF_FORCES & {*panels} else None
     sheets = list(_drawn(mechanism, inputs, panels, language, burden, poles, pins))
     if not sheets:
         raise AssemblyError("with these lengths the links close nowhere")
@@ -319,8 +321,8 @@ def hand_board(
     live = LiveBoard.over(sheets[0][1], form, lines, poses)
     general = min(sheets, key=lambda each: _specials(live, each[1]))[0]
     names = list(mechanism.dimensions())
-    standing = poles.traced if poles else lambda _: NO_POLES
-    traced = traced_sheet(mechanism, general, panels, language, names, burden, standing, pins)
+    held = poles.traced if poles else nothing_held
+    traced = traced_sheet(mechanism, general, panels, language, names, burden, held, pins)
     scales = {
         name: _as_input(traced, name, picture.scale)
         for name, picture in live.pictures.items()
@@ -381,8 +383,8 @@ def _drawn(
     for given in inputs:
         try:
             motion, forces = parted(with_forces(solve(mechanism, **given), burden))
-            at = poles.traced(given) if poles else NO_POLES
-            scene = scene_of(motion, Language(language), forces, at, pins=pins)
+            held = poles.traced(given) if poles else {}
+            scene = scene_of(motion, Language(language), forces, **held, pins=pins)
             yield given, sheet_of(scene, panels)
         except VadError:
             continue

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from vad.kinematics.numbers import cross
+from vad.kinematics.numbers import cross, not_below
 from vad.strokes.arithmetic import Figure, product, total
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing
@@ -58,7 +58,8 @@ def drive_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
     The couples of loads stand in the row of these, beside the torque, which they are measured like.
     """
     if key == LOADS:
-        return scene.force_names.given_couples
+        couples: tuple[Cell, ...] = scene.force_names.given_couples
+        return couples
     forces = scene.force_names.forces
     if key != scene.driver.name or slides is (scene.driver.kind == "angle"):
         return ()
@@ -153,7 +154,8 @@ class _Drive:
         component: Component,
     ) -> None:
         at = self.scene.at(point)
-        largest = max(self.largest, abs(force)) if self.scene.largest else self.largest
+        held, size = self.scene.largest, abs(force)
+        largest = not_below(held, size) if held else self.largest
         arrow = force * (LENGTH * self._span / largest) if largest else 0j
         shape = Arrow(at, at + arrow, "", "")
         if self._shows(force):

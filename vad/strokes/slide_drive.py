@@ -8,8 +8,11 @@ of a cylinder slides in its barrel.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
+from vad.kinematics.linkage import Bar
+from vad.kinematics.numbers import not_below
 from vad.strokes.arithmetic import Figure
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing
@@ -159,7 +162,7 @@ class _SlideDrive:
             measured=False,
             symbol=symbol,
             point=point,
-            force=complex(force),
+            force=force,
             said=said,
             component=component,
         )
@@ -244,15 +247,20 @@ class _SlideDrive:
     def _shows(self, force: complex) -> bool:
         return self.longest > 0.0 and abs(force) > NOTHING * self.longest
 
-    @property
+    @cached_property
     def _size(self) -> float:
-        places = [self.scene.at(point) for point in self.scene.members.points]
-        across, up = [z.real for z in places], [z.imag for z in places]
-        return abs(complex(max(across) - min(across), max(up) - min(up)))
+        """The length of the longest bar, which is the same in all poses."""
+        linkage, found = self.scene.members.linkage, 0.0
+        steps = [step for loop in linkage.loops for _, step in loop.steps()]
+        for step in (*steps, *linkage.images):
+            if isinstance(step, Bar) and not isinstance(step.length, str):
+                found = not_below(found, self.scene.size(step))
+        return found
 
     def _arrow(self, each: SlideForce) -> Stroke:
         at, part = self.scene.at(each.point), StrokePart(each.name, "action")
-        largest = max(self.scene.largest, abs(each.force)) if self.scene.largest else self.longest
+        held, size = self.scene.largest, abs(each.force)
+        largest = not_below(held, size) if held else self.longest
         arrow = each.force * (LENGTH * self._size / largest) if self.longest else 0j
         shown = self._shows(each.force)
         shape, said = Arrow(at, at + arrow, "", ""), each.said if shown else ""

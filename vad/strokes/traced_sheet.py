@@ -17,7 +17,7 @@ from vad.kinematics.reach import travels
 from vad.kinematics.recording import Recorded
 from vad.kinematics.solver import Solver
 from vad.kinematics.traced import Guard, Traced, TracedTape, made_of
-from vad.strokes.draw import NO_PINS, NO_POLES, chosen, parted, scene_of, sheet_of, with_forces
+from vad.strokes.draw import NO_PINS, chosen, parted, scene_of, sheet_of, with_forces
 from vad.strokes.sheet import Sheet
 from vad.strokes.traced_dimensions import traced_dimensions, traced_motion
 from vad.words import Language
@@ -88,6 +88,11 @@ class TracedSheet:
         return Program(made, [*(guard.made for guard in self.guards), *outputs], len(outputs))
 
 
+def nothing_held(inputs: Mapping[str, Traced]) -> Mapping[str, Any]:
+    """Return nothing: all that a pose shows is its own."""
+    return {}
+
+
 def traced_sheet(
     mechanism: Mechanism,
     inputs: Mapping[str, float],
@@ -95,7 +100,7 @@ def traced_sheet(
     language: str = "en",
     dimensions: Sequence[str] = (),
     burden: Burden | None = None,
-    poles: Callable[[Mapping[str, Traced]], Mapping[int, complex]] = lambda _: NO_POLES,
+    held: Callable[[Mapping[str, Traced]], Mapping[str, Any]] = nothing_held,
     pins: Mapping[str, Any] = NO_PINS,
 ) -> TracedSheet:
     """Return the sheet of a pose with numbers that follow from the driver and from dimensions.
@@ -116,8 +121,9 @@ def traced_sheet(
         the mechanism in its last digits.
     burden
         What the mechanism bears beside its own, if there are forces.
-    poles
-        The function from the traced inputs to the poles of the force polygons.
+    held
+        The function from the traced inputs to what is the same over a whole turn, by its name in a
+        scene: the poles of the force polygons, and the largest force on the driven body.
     pins
         The diameters of pins by their points, which are the same for all dimensions.
 
@@ -138,6 +144,6 @@ def traced_sheet(
         motion.travels = travels(mechanism)
     given = {**traced.inputs, **traced.sizes}
     _, forces = parted(with_forces(motion, burden))
-    scene = scene_of(motion, Language(language), forces, poles(traced.inputs), pins=pins)
+    scene = scene_of(motion, Language(language), forces, **held(traced.inputs), pins=pins)
     sheet = sheet_of(scene, chosen(panels, motion, forces))
     return TracedSheet(sheet, given, traced.tape, scene, traced.guards)
