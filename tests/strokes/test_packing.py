@@ -5,7 +5,7 @@ from itertools import combinations, pairwise
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vad.strokes.packing import ROOM, Box, in_lines, shifts
+from vad.strokes.packing import ROOM, Box, in_groups, in_lines, shifts
 
 SIDES = st.floats(0.01, 100.0)
 
@@ -56,3 +56,12 @@ def test_lines_make_no_box_smaller_than_one_line_does(given_boxes: list[Box]):
 def test_a_small_box_has_room_for_its_labels():
     large, small = moved([(0j, 100 + 100j), (0j, 1 + 1j)])
     assert small[0].real - large[1].real > 25.0
+
+
+def test_many_boxes_are_packed_at_once_and_fill_the_room():
+    boxes = [(0j, 1 + 1j)] * 60
+    lines = in_lines(boxes)
+    assert [box for line in lines for box in line] == boxes
+    assert 6 <= len(lines) <= 10
+    moved = in_groups([boxes[:2]] * 30)
+    assert len(moved) == len(set(moved)) == 60

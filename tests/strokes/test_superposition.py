@@ -99,3 +99,30 @@ def test_without_loads_or_with_friction_it_is_refused():
     found = vad.forces(vad.solve(machine), loads, friction={"slider": 0.1})
     with pytest.raises(InputError, match="with friction they are not sums"):
         vad.draw(found, superpose=True)
+
+
+def test_forces_without_names_are_numbered_as_they_were_given():
+    machine = vad.FourBar(points={"E": ("rocker", 40), "G": ("coupler", 50)})
+    found = vad.forces(vad.solve(machine), ["80 N @ 150 at E", "60 N @ 260 at G"])
+    sheet = vad.draw(found, superpose=True)
+    loads = {s.label: s.caption for s in sheet.panel("position").strokes if s.component == "load"}
+    assert loads["P₁"].startswith("P₁ = 80 N")
+    assert loads["P₂"].startswith("P₂ = 60 N")
+    assert [cell.symbol for cell in sheet.rows[-1].cells["force"]] == ["P₁", "P₂"]
+
+
+def test_each_load_is_announced_and_each_part_says_whose_it_is():
+    said = [s.caption for s in vad.draw(four_bar(), superpose=True).panel("force").strokes]
+    heads = [each for each in said if " alone: " in each]
+    assert [each.split(" alone: ")[0] for each in heads] == ["F", "P"]
+    assert [each.split()[-2] for each in said if each.endswith(" alone.")] == ["F", "P"] * 2
+
+
+def test_the_force_on_a_driven_slide_is_the_sum():
+    found = vad.forces(
+        vad.solve(vad.DoubleSlider()), ["80 N @ 150 at B", "60 N @ 260 at A on link"]
+    )
+    strokes = vad.draw(found, superpose=True).panel("drive").strokes
+    said = next(s.said for s in strokes if s.name == "drive.action")
+    assert sum(each.value for each in said.parts["terms"].addends) == pytest.approx(found.drive)
+    assert str(said).startswith("Fₐ = Fₐ′ + Fₐ″ = ")

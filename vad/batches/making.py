@@ -38,7 +38,7 @@ _THREADS = 1
 #: The panels that show what is given; the others are left blank unless the file says which.
 _SHOWN = ("position", "shaft", "engine")
 #: The options of a sheet that are those of `vad.draw`.
-OF_DRAW = ("panels", "language", "title", "subtitle")
+OF_DRAW = ("panels", "language", "title", "subtitle", "superpose")
 #: How often numbers are chosen before the program gives up.
 TRIES = 2000
 

@@ -127,6 +127,12 @@ def _unit(value: object) -> str:
     return check_length_unit(value)
 
 
+def _flag(value: object) -> bool:
+    if not isinstance(value, bool):
+        raise InputError(f"must be true or false, got {quoted(value)}")
+    return value
+
+
 #: How each word is read.
 WORDS: dict[str, Callable[[object], Any]] = {
     "count": _count,
@@ -146,6 +152,7 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "length_unit": _unit,
     "title": lambda value: titling.checked("", value),
     "subtitle": lambda value: titling.checked("", value),
+    "superpose": _flag,
     "points": lambda value: dict(link_points(value)),
     **BURDEN_WORDS,
 }
@@ -421,6 +428,8 @@ def _typed(word: str, cell: str) -> object:
         return re.split(r"[\s;,]+", cell)
     if word in ("title", "subtitle"):
         return cell
+    if word == "superpose":
+        return {"true": True, "false": False}.get(cell.lower(), cell)
     if word == "size":
         return [int(each) for each in re.findall(r"\d{1,9}", cell)]
     if _NUMBER.fullmatch(cell):

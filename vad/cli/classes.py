@@ -35,7 +35,8 @@ SHEETS is a .csv file with one row a sheet, or a .toml file such as
   sine = 0.35                          # how steeply all lines cross at least
 
 [sheet] also takes title, subtitle, seed, panels, points, language, style, paper, size, fps,
-speed, length_unit, and load, mass, inertia, gravity, friction, as these options have them.
+speed, length_unit, and load, mass, inertia, gravity, friction, superpose, as these options
+have them.
 In a .csv file columns that are no option, such as name, are a roster: they are carried into
 the names of the files, the titles and the answers.
 

@@ -237,8 +237,29 @@ class ForceNames(BodyNames):
             return SYMBOLS[load.kind] + subscript(self.numbers[load.body])
         if load.name:
             return load.name
-        unnamed = [each for each in self.loads if each.kind == "force" and not each.name]
+        unnamed = self._unnamed
         return "P" if len(unnamed) == 1 else "P" + subscript(unnamed.index(load) + 1)
+
+    def _order(self, load: Load) -> int:
+        """Return the number of a load from outside in the order in which all were given."""
+        same = load.kind, load.name, load.body, load.point
+        acting = self.forces.acting
+        return next(
+            number
+            for number, each in enumerate(acting)
+            if (each.kind, each.name, each.body, each.point) == same
+        )
+
+    @cached_property
+    def _unnamed(self) -> list[Load]:
+        """The forces without names of their own, in the order in which they were given."""
+        from vad.statics.dyads import Load  # most drawings have none
+
+        return [
+            Load(each.kind, each.name, each.body, each.point, self.forces.acts(number))
+            for number, each in enumerate(self.forces.acting)
+            if each.kind == "force" and each.point and not each.name
+        ]
 
     def plain_load(self, load: Load) -> str:
         """Return the name of a load for the names of its strokes."""
@@ -302,6 +323,7 @@ class ForceNames(BodyNames):
         """Return the cells of a row of the results."""
         if key == LOADS:
             given = [each for each in self.loads if each.kind in ("force", "weight")]
+            given.sort(key=self._order)
             mine = dict.fromkeys((self.load(each), abs(each.force)) for each in given)
             cells = [Cell(symbol, size, "N", given=True) for symbol, size in mine]
             return tuple(cells[:MOST])  # captions say them all

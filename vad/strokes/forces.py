@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from vad.strokes.diagram import Drawing
 from vad.strokes.force_captions import ForceCaptions
 from vad.strokes.force_names import ForceNames
-from vad.strokes.packing import Box, in_lines, shifts
+from vad.strokes.packing import Box, in_groups
 from vad.strokes.player import Pencil, Player
 from vad.strokes.sheet import LOADS, Arrow, Cell, Component, Dot, Equation, Stroke, StrokePart, Term
 from vad.strokes.vector_equations import NOTHING, Chain, Part, Vector, VectorEquation
@@ -199,8 +199,7 @@ class Polygons(Player[Force]):
     scene
         The pose.
     parts
-        The names of all forces, or those of each load alone, whose polygons stand below those of
-        the load before.
+        The names of all forces, or those of each load alone, whose polygons stand together.
     """
 
     pencil: ForcePencil
@@ -218,7 +217,7 @@ class Polygons(Player[Force]):
     def _places(self) -> dict[str, complex]:
         """The places of all vertices: polygon after polygon, in lines that fill the panel.
 
-        Over a turn, each polygon keeps its pole.
+        Those of one load stand together.  Over a turn, each polygon keeps its pole.
         """
         fixed = self.names.poles
         if fixed:
@@ -231,10 +230,8 @@ class Polygons(Player[Force]):
         lines += [sums] if (sums := self.further()) else []
         seen = [[each for each in line if self._is_seen(each)] for line in lines]
         boxes = [[_box(each) for each in line] for line in seen if line]
-        if len(lines) == 1 and boxes:
-            boxes = in_lines(boxes[0])
         places = {name: place for line in lines for each in line for name, place in each.items()}
-        moved = iter(shifts(boxes))
+        moved = iter(in_groups(boxes))
         for each in (each for line in seen for each in line):
             shift = next(moved)
             places |= {name: place + shift for name, place in each.items()}

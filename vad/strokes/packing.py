@@ -14,6 +14,8 @@ APART = 0.25
 LEAST = 0.2
 #: The width of the room of polygons to its height, about that of one of three panels.
 ROOM = 1.25
+#: Of so many boxes all ways are tried.
+MANY = 8
 #: Further lines have to make polygons larger by this factor.
 WORTH = 1.1
 
@@ -43,6 +45,29 @@ def in_lines(boxes: Sequence[Box]) -> list[list[Box]]:
     return found
 
 
+def in_groups(groups: Sequence[Sequence[Box]]) -> list[complex]:
+    """Return by how much each box has to be moved where some belong together.
+
+    The boxes of a group stand in lines of their own, and the groups as `in_lines` has them.
+
+    Examples
+    --------
+    >>> in_groups([[(0j, 2 + 2j), (0j, 2 + 2j)], [(0j, 4 + 2j)]])
+    [-1j, (3-1j), (0.5-5.25j)]
+    """
+    inner, outer = [], []
+    for group in groups:
+        lines = in_lines(group)
+        moved = shifts(lines)
+        boxes = [box for line in lines for box in line]
+        ends = [end + shift for box, shift in zip(boxes, moved, strict=True) for end in box]
+        across, up = [z.real for z in ends], [z.imag for z in ends]
+        inner.append(moved)
+        outer.append((complex(min(across), min(up)), complex(max(across), max(up))))
+    places = zip(inner, shifts(in_lines(outer)), strict=True)
+    return [shift + whole for moved, whole in places for shift in moved]
+
+
 def _grown(box: Box, least: float) -> Box:
     """Return a box about the same middle whose sides have at least a length."""
     more = complex(max(least - _width(box), 0.0), max(least - _height(box), 0.0)) / 2
@@ -50,7 +75,15 @@ def _grown(box: Box, least: float) -> Box:
 
 
 def _splits(boxes: Sequence[Box]) -> Iterator[list[list[Box]]]:
-    """Yield boxes in lines: those with few lines first."""
+    """Yield boxes in lines: those with few lines first.
+
+    Of many boxes each line has as many as the others: there are too many other ways.
+    """
+    if len(boxes) > MANY:
+        for count in range(2, len(boxes) + 1):
+            most = -(-len(boxes) // count)
+            yield [list(boxes[a : a + most]) for a in range(0, len(boxes), most)]
+        return
     for count in range(1, len(boxes)):
         for cuts in combinations(range(1, len(boxes)), count):
             ends = [0, *cuts, len(boxes)]

@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.linkage import Bar
 from vad.kinematics.numbers import not_below
-from vad.strokes.arithmetic import Figure
+from vad.strokes.arithmetic import Figure, total
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing
 from vad.strokes.force_captions import NEWTON, ForceCaptions
 from vad.strokes.forces import bare
 from vad.strokes.player import Pencil, Player
 from vad.strokes.power import check_by_power
-from vad.strokes.sentences import Sentence, SentencePart, Text, Unit
+from vad.strokes.sentences import Listed, Sentence, SentencePart, Terms, Text, Unit
 from vad.strokes.sheet import (
     LOADS,
     Arrow,
@@ -184,7 +184,7 @@ class _SlideDrive:
             row,
             symbol=SLIDING,
             force=self.drive,
-            said=self._said("drive force", SLIDING, self.drive, joint),
+            said=self._superposed() or self._said("drive force", SLIDING, self.drive, joint),
             component="force",
             direction=self.line,
             **more,
@@ -204,6 +204,22 @@ class _SlideDrive:
             **more,
         )
         return [drive, guide]
+
+    def _superposed(self) -> Sentence | None:
+        """Return the drive as the sum of those of each load alone, where loads are superposed."""
+        parts = self.scene.force_parts
+        if not parts:
+            return None
+        return self.scene.say(
+            "drive superposed",
+            total("value", "terms"),
+            label=SLIDING,
+            symbols=Listed(tuple(SLIDING + each.primes for _, each in parts), " + "),
+            terms=Terms(tuple(Figure(float(each.forces.drive), NEWTON) for _, each in parts)),
+            value=Figure(self.forces.drive, NEWTON),
+            unit=Unit(NEWTON),
+            link=self.names.noun(self.driver.name),
+        )
 
     def _pair(self, joint: Any) -> tuple[str, str]:
         symbol = self.names.force(joint.one, joint.other)

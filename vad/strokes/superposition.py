@@ -1,12 +1,13 @@
 """Superposition: the force polygons of each load alone, and then the sums of their forces.
 
-F₂₃′ is due to the first load, F₂₃″ to the second one.  In the last line of the panel the parts of
-each joint force are laid tip to tail, and their sum is the force F₂₃ (S. S. Rattan, Theory of
+F₂₃′ is due to the first load, F₂₃″ to the second one.  At the end the parts of each joint force are
+laid tip to tail, and their sum is the force F₂₃ (S. S. Rattan, Theory of
 Machines, static force analysis, principle of superposition).
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from vad.strokes.arithmetic import Figure
@@ -19,10 +20,11 @@ from vad.strokes.vector_equations import NOTHING
 
 if TYPE_CHECKING:
     from vad.statics.forces import JointForce
+    from vad.strokes.force_names import ForceNames
 
 
 def superposed_polygons(scene: Any) -> Drawing:
-    """Return the polygons of each load alone, line by line, and then the sums."""
+    """Return the polygons of each load alone, and then the sums."""
     return _Superposed(scene).draw()
 
 
@@ -41,6 +43,25 @@ class _Superposed(Polygons):
         self.shares = list(zip(*of_parts, strict=True))
         self.parts = parts
         super().__init__(scene, parts)
+
+    def draw(self) -> Drawing:
+        """Draw load after load, each with what is said of it, and then the sums."""
+        drawing = super().draw()
+        strokes = list(drawing.strokes)
+        for names in self.parts:
+            own = (n for n, each in enumerate(strokes) if each.part.of.endswith(names.alone))
+            first = next(own, None)
+            if first is not None:
+                said = strokes[first].said
+                headed = self.scene.say("superposed alone", loads=self._acting(names), said=said)
+                strokes[first] = replace(strokes[first], said=headed)
+        return replace(drawing, strokes=tuple(strokes))
+
+    def _acting(self, names: ForceNames) -> Listed:
+        """Return the symbols of all that acts in one part."""
+        loads = [names.load(each) for each in names.loads if each.force]
+        couples = [names.couple(each) for each in names.couples if each.value]
+        return Listed(tuple(dict.fromkeys([*loads, *couples])), ", ")
 
     def further(self) -> list[dict[str, complex]]:
         """Return the vertices of the sums: a polygon for each joint force."""
@@ -66,6 +87,7 @@ class _Superposed(Polygons):
                     label=symbol,
                     value=Figure(abs(share), NEWTON),
                     unit=Unit(NEWTON),
+                    loads=self._acting(names),
                 )
                 ends = f"sum{number}:{place - 1}", f"sum{number}:{place}"
                 part = StrokePart(plain, f"part{place}")

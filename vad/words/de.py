@@ -668,7 +668,12 @@ PHRASES = {
         "Momente um {point}: *T* = {terms} = {torque} {turning}, {sense}, muss an {link:dem} "
         "wirken."
     ),
-    "superposed part": "{label} = {value} {unit} gehört zu dieser Last allein.",
+    "superposed part": "{label} = {value} {unit} gehört zu {loads} allein.",
+    "superposed alone": "{loads} allein: {said}",
+    "drive superposed": (
+        "{label} = {symbols} = {terms} = {value} {unit}: so viel muss der Antrieb an {link:dem} "
+        "aufbringen."
+    ),
     "superposed sum": (
         "{label} = {terms} = {value} {unit} als Vektoren: die Kraft {one:des} an {other:dem}."
     ),

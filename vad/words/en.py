@@ -643,7 +643,11 @@ PHRASES = {
         "Moments about {point}: *T* = {terms} = {torque} {turning}, {sense}, must act on the "
         "{link}."
     ),
-    "superposed part": "{label} = {value} {unit} is due to this load alone.",
+    "superposed part": "{label} = {value} {unit} is due to {loads} alone.",
+    "superposed alone": "{loads} alone: {said}",
+    "drive superposed": (
+        "{label} = {symbols} = {terms} = {value} {unit} must drive the {link} along its line."
+    ),
     "superposed sum": (
         "{label} = {terms} = {value} {unit} as vectors: the force of the {one} on the {other}."
     ),

@@ -663,7 +663,11 @@ PHRASES = {
         "Moments autour de {point} : *T* = {terms} = {torque} {turning}, {sense}, doit agir sur "
         "{link:le}."
     ),
-    "superposed part": "{label} = {value} {unit} est due à cette seule charge.",
+    "superposed part": "{label} = {value} {unit} est due à {loads} seul.",
+    "superposed alone": "{loads} seul : {said}",
+    "drive superposed": (
+        "{label} = {symbols} = {terms} = {value} {unit} doit entraîner {link:le} suivant sa ligne."
+    ),
     "superposed sum": (
         "{label} = {terms} = {value} {unit}, en vecteurs : l’effort {one:du} sur {other:le}."
     ),
