@@ -53,7 +53,7 @@ def in_groups(groups: Sequence[Sequence[Box]]) -> list[complex]:
     Examples
     --------
     >>> in_groups([[(0j, 2 + 2j), (0j, 2 + 2j)], [(0j, 4 + 2j)]])
-    [-1j, (3-1j), (0.5-5.25j)]
+    [-1j, (3-1j), (0.5-4.25j)]
     """
     inner, outer = [], []
     for group in groups:
