@@ -42,8 +42,8 @@ def test_each_step_has_a_slide_with_its_picture_words_and_note(lesson: Lesson, s
     found = Presentation(slides)
     assert found.slide_width / found.slide_height == pytest.approx(4 / 3)
     assert found.core_properties.title.startswith("Exercise 4 & 5: 50 %: Kurbel 60 mm")
-    assert len(found.slides) == len(lesson.steps)
-    for slide, step in zip(found.slides, lesson.steps, strict=True):
+    *slides, last = found.slides
+    for slide, step in zip(slides, lesson.steps, strict=True):
         _, shown = slide.shapes
         heading = f"{step.panel.title} {lesson.place(step)}"
         assert slide.shapes.title.text == heading
@@ -51,6 +51,8 @@ def test_each_step_has_a_slide_with_its_picture_words_and_note(lesson: Lesson, s
         assert slide.notes_slide.notes_text_frame.text == step.stroke.caption
         sides = shown.left, shown.top, shown.width, shown.height
         assert sides == (0, 0, found.slide_width, found.slide_height)
+    assert last.shapes.title.text == "Antwort"
+    assert last.notes_slide.notes_text_frame.text == str(lesson.answer)
     pixels = np.asarray(Image.open(io.BytesIO(shown.image.blob)))
     assert np.array_equal(pixels, picture(vad.still(lesson, len(lesson.steps)))[..., :3])
 
@@ -58,9 +60,11 @@ def test_each_step_has_a_slide_with_its_picture_words_and_note(lesson: Lesson, s
 def test_a_slide_for_each_panel(lesson: Lesson, tmp_path: Path):
     vad.save(lesson, tmp_path / "panels.pptx", per_panel=True)
     found = Presentation(tmp_path / "panels.pptx").slides
-    assert [slide.shapes.title.text for slide in found] == [p.title for p in lesson.sheet.panels]
+    titles = [panel.title for panel in lesson.sheet.panels]
+    assert [slide.shapes.title.text for slide in found] == [*titles, "Antwort"]
     notes = "\n".join(slide.notes_slide.notes_text_frame.text for slide in found)
-    assert notes.split("\n") == [step.stroke.caption for step in lesson.steps]
+    captions = [step.stroke.caption for step in lesson.steps]
+    assert notes.split("\n") == [*captions, str(lesson.answer)]
 
 
 def test_the_same_slides_are_the_same_file(lesson: Lesson, slides: Path, tmp_path: Path):
@@ -89,10 +93,21 @@ def test_beamer_has_an_overlay_for_each_page_of_the_steps(lesson: Lesson, beamer
     overlays = re.findall(r"\\vadstep\{(\d+)\}\{(\d+)\}", text)
     assert [int(page) for _, page in overlays] == list(range(1, len(steps.pages) + 1))
     places = [lesson.place(step) for step in lesson.steps]
-    assert [int(number) for number, _ in overlays] == [*places, 1]  # at last the whole sheet
+    assert [int(number) for number, _ in overlays] == [*places, 1]
+    assert text.count(r"\begin{frame}") == text.count(r"\end{frame}") == 4
     assert r"\newcommand*{\vadsteps}{lecture 4-steps.pdf}" in text
     assert r"\title{Exercise 4 \& 5: 50 \%}" in text
     assert "aspectratio=43" in text
+
+
+def test_what_is_on_the_board_already_has_no_slide_and_each_chapter_its_frame(tmp_path: Path):
+    sheet = vad.draw(vad.solve(vad.Whitworth(rod=300)))
+    lesson = vad.animate(sheet, loop=2)
+    vad.save(lesson, tmp_path / "a.tex")
+    text = (tmp_path / "a.tex").read_text("utf-8")
+    assert text.count(r"\begin{frame}") == len(sheet.panels) + 1
+    drawn = sum(not step.there for step in lesson.steps)
+    assert len(re.findall(r"\\vadstep\{\d", text)) == drawn + 1
 
 
 def test_beamer_compiles(lesson: Lesson, beamer: Path):

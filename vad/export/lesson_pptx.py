@@ -13,7 +13,8 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from vad.discovery import from_extra
 from vad.export.frames import Progress
-from vad.lecture.lesson import Lesson, still
+from vad.lecture.lesson import Lesson
+from vad.lecture.slides import Slide, heading_of, slides
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import play
 from vad.painting.posed import board_of
@@ -50,15 +51,11 @@ def write(
     properties.title, properties.language = title(lesson.sheet), lesson.sheet.language
     properties.author = properties.last_modified_by = ""
     properties.created = properties.modified = _MADE
-    frames = lesson.opening
-    shown = dict(_shown(lesson, per_panel))
     painted = _Pictures(lesson)
-    for number, step in enumerate(lesson.steps, start=1):
-        frames += step.frames
-        if number in shown:
-            _add(show, lesson, number, painted.of(number), shown[number])
+    for slide, captions in _shown(lesson, per_panel):
+        _add(show, _heading(lesson, slide, captions), painted.of(slide), captions)
         if progress is not None:
-            progress(frames, lesson.frames)
+            progress(slide.frames, lesson.frames)
     held = io.BytesIO()
     show.save(held)
     _repack(held, target)
@@ -66,44 +63,47 @@ def write(
         progress(lesson.frames, lesson.frames)
 
 
-def _shown(lesson: Lesson, per_panel: bool) -> Iterator[tuple[int, list[str]]]:
-    """Yield the steps that have a slide, from 1, each with the captions that are said on it."""
-    said: list[str] = []
-    for number, step in enumerate(lesson.steps, start=1):
-        if not step.has_page:
-            continue
-        said.append(step.stroke.caption)
-        following = lesson.steps[number : number + 1]
-        if not per_panel or not following or following[0].chapter != step.chapter:
-            yield number, said
-            said = []
+def _shown(lesson: Lesson, per_panel: bool) -> Iterator[tuple[Slide, list[str]]]:
+    """Yield the pages that have a slide, each with the captions that are said on it."""
+    captions: list[str] = []
+    pages = list(slides(lesson))
+    for page, following in zip(pages, [*pages[1:], None], strict=True):
+        captions.append(str(page.said))
+        if not per_panel or not following or _chapter(page) != _chapter(following):
+            yield page, captions
+            captions = []
+
+
+def _chapter(slide: Slide) -> str:
+    return slide.step.chapter if slide.step else ""
+
+
+def _heading(lesson: Lesson, slide: Slide, captions: list[str]) -> str:
+    """Return the title of a slide: its panel, and the number of its step where it shows one."""
+    heading = heading_of(lesson, slide)
+    return f"{heading} {lesson.place(slide.step)}" if slide.step and len(captions) == 1 else heading
 
 
 class _Pictures:
     """The pages of a lesson as PNG."""
 
     def __init__(self, lesson: Lesson) -> None:
-        self._lesson = lesson
         self._board, self._style = board_of(lesson), load_style(lesson.style)
         self._painter = AggPainter(self._board.form)
 
-    def of(self, number: int) -> io.BytesIO:
-        """Return the page at a step, from 1."""
+    def of(self, slide: Slide) -> io.BytesIO:
+        """Return a page."""
         from PIL import Image
 
-        play(self._board, still(self._lesson, number).moment, self._style, self._painter)
+        play(self._board, slide.moment, self._style, self._painter)
         held = io.BytesIO()
         Image.fromarray(self._painter.pixels).convert("RGB").save(held, "PNG", compress_level=6)
         held.seek(0)
         return held
 
 
-def _add(show: Any, lesson: Lesson, number: int, picture: io.BytesIO, captions: list[str]) -> None:
+def _add(show: Any, heading: str, picture: io.BytesIO, captions: list[str]) -> None:
     """Add a slide whose title stands above its upper edge, for lists of slides and for readers."""
-    step = lesson.steps[number - 1]
-    heading = lesson.sheet.panel(step.chapter).title
-    if len(captions) == 1:
-        heading = f"{heading} {lesson.place(step)}"
     slide = show.slides.add_slide(show.slide_layouts[_TITLE_ONLY])
     name = slide.shapes.title
     name.text = heading

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from itertools import groupby
 from typing import BinaryIO
 
 from vad.errors import UsageError, quoted
 from vad.export.frames import Progress
-from vad.lecture.chapters import chapters
 from vad.lecture.lesson import Lesson
+from vad.lecture.slides import heading_of, slides
 from vad.painting.latex import latex_of
 from vad.plan.lettering.runs import roman, said
 from vad.strokes.sentences import pieces_of
@@ -66,22 +67,12 @@ def _lines(lesson: Lesson, name: str) -> Iterator[str]:
     width, height = lesson.size
     shape = min(_SHAPES, key=lambda each: abs(_SHAPES[each] - width / height))
     yield _HEAD.format(shape=shape, name=name, title=latex_of(roman(lesson.sheet.title)))
-    parts = chapters(lesson)
-    ends = [part.step for part in parts[1:]] + [len(lesson.steps)]
-    page = 0
-    for part, end in zip(parts, ends, strict=True):
-        steps = [step for step in lesson.steps[part.step : end] if step.has_page]
-        if not steps:
-            continue
-        name = latex_of(roman(part.title))
-        yield f"\n\\section{{{name}}}\n\\begin{{frame}}[plain] % {part.title}\n"
-        for overlay, step in enumerate(steps, start=1):
-            page += 1
-            caption = latex_of(said(pieces_of(step.stroke.said)))
+    numbered = enumerate(slides(lesson), start=1)
+    for heading, pages in groupby(numbered, lambda each: heading_of(lesson, each[1])):
+        yield f"\n\\section{{{latex_of(roman(heading))}}}\n"
+        yield f"\\begin{{frame}}[plain] % {heading}\n"
+        for overlay, (page, slide) in enumerate(pages, start=1):
+            caption = latex_of(said(pieces_of(slide.said)))
             yield f"  \\vadstep{{{overlay}}}{{{page}}}{{{caption}}}%\n"
-        yield "\\end{frame}\n"
-    if page and lesson.settle:  # the last page shows the whole sheet
-        caption = latex_of(said(lesson.answer.pieces)) if lesson.answer else ""
-        yield f"\n\\begin{{frame}}[plain]\n  \\vadstep{{1}}{{{page + 1}}}{{{caption}}}%\n"
         yield "\\end{frame}\n"
     yield "\n\\end{document}\n"
