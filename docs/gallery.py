@@ -132,6 +132,7 @@ def _page(piece: Piece, title: str) -> str:
     lesson = f"{up}lessons/{piece.place}.html"
     links = [
         f"[All mechanisms]({up}index.md)",
+        f"[Films]({up}films.md)",
         f"[Open it alone]({lesson})",
         f"[Download this page]({lesson}){{ download }}",
     ]

@@ -67,6 +67,15 @@ def test_a_slide_for_each_panel(lesson: Lesson, tmp_path: Path):
     assert notes.split("\n") == [*captions, str(lesson.answer)]
 
 
+@pytest.mark.parametrize("name", ["a.pptx", "a.pdf"])
+def test_progress_rises_to_the_whole_film(lesson: Lesson, tmp_path: Path, name: str):
+    told = []
+    vad.save(lesson, tmp_path / name, progress=lambda done, total: told.append((done, total)))
+    done = [each for each, _ in told]
+    assert done[:-2] == sorted(set(done[:-2]))
+    assert set(told[-2:]) == {(lesson.frames, lesson.frames)}
+
+
 def test_the_same_slides_are_the_same_file(lesson: Lesson, slides: Path, tmp_path: Path):
     vad.save(lesson, tmp_path / "again.pptx")
     assert (tmp_path / "again.pptx").read_bytes() == slides.read_bytes()
