@@ -25,6 +25,7 @@ HEAD = '[sheet]\nmechanism = "four-bar"\n'
         (HEAD + 'blank = "velosity"\n', "3: blank: unknown panel 'velosity'"),
         (HEAD + 'files = "a.pdf"\nblank = "velocity"', "1: blank: none of the files is the"),
         (HEAD + 'points = { P = ["rod", 60] }\n', "3: point P: unknown link 'rod'"),
+        (HEAD + 'files = ["a.tex"]\n', "3: files: 'a.tex': has a second file beside it, which"),
         (HEAD + 'title = ""\n', "3: title: is empty"),
         (HEAD + "fps = 0\n", "3: fps: must be between 1 and 240, got 0"),
         (HEAD + "size = [1, 2]\n", "3: size: "),

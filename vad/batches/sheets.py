@@ -24,7 +24,7 @@ from vad.batches.job import Done, Job, Recipe
 from vad.batches.roster import roster_columns
 from vad.discovery import one_of_all
 from vad.errors import InputError, UsageError, VadError, one_of, quoted, unknown
-from vad.export import FOLDER, FORMATS, options_of, own_options
+from vad.export import FOLDER, FORMATS, has_companion, options_of, own_options
 from vad.files.tables import Source, parsed, text_of
 from vad.lecture.lesson import Lesson, checked
 from vad.mechanisms.link_points import link_points
@@ -95,6 +95,9 @@ def _files(value: object) -> tuple[str, ...]:
             one = f"{quoted(same)} and {quoted(name)} are one name"
             raise InputError(f"{one} where capitals do not count", "name them apart")
         film, kind = is_film(name), Path(name).suffix.lower()
+        if film and has_companion(Lesson, kind):
+            message = f"{quoted(name)}: has a second file beside it, which no sheet has"
+            raise InputError(message, "make it with vad animate")
         if is_problem(name) and (film or "blank" not in options_of(Sheet, kind)):
             raise InputError(f"{quoted(name)}: only a picture can be a problem", "call it a key")
     return found

@@ -231,6 +231,17 @@ def options_of(kind: type, extension: str) -> tuple[str, ...]:
     return _parameters(FORMATS[kind][extension])
 
 
+def has_companion(kind: type, extension: str) -> bool:
+    """Tell whether a format of a thing of type ``kind`` has a second file beside its own.
+
+    Examples
+    --------
+    >>> has_companion(Lesson, ".tex"), has_companion(Lesson, ".mp4")
+    (True, False)
+    """
+    return hasattr(import_module(FORMATS[kind][extension]), "COMPANION")
+
+
 @dataclass(frozen=True)
 class OwnOption:
     """An option that a format declares for the command line and for ``vad batch``.
