@@ -34,8 +34,8 @@ class Cut:
         """The one part, which is all of the page."""
         return {self.items[0].region: Rect(0.0, 0.0, self.form.width, self.form.height)}
 
-    def shown(self, beat: int) -> Sequence[Item]:
-        """Return the items, which show at every beat."""
+    def at(self, moment: Moment) -> Sequence[Item]:
+        """Return the items, which show at every moment."""
         return self.items
 
 
