@@ -1,4 +1,4 @@
-"""A lesson as PDF: one page for each step, and at the end the whole sheet."""
+"""A lesson as PDF: one page for each caption, and at the end the whole sheet."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vad.style import load_style
 
 
 def write(lesson: Lesson, target: BinaryIO, *, progress: Progress | None = None) -> None:
-    """Write ``lesson``, a page for each stroke drawn; a pixel of its film becomes a point.
+    """Write ``lesson``, a page for each caption; a pixel of its film becomes a point.
 
     After the scenes of a stage the last page shows the sheet as its still does.
     """

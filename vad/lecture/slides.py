@@ -1,4 +1,4 @@
-"""A lesson as pages that are clicked through: one for each step, and one for the whole sheet."""
+"""A lesson as pages that are clicked through: one for each caption, and one for the whole sheet."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Slide(NamedTuple):
 
 
 def slides(lesson: Lesson) -> Iterator[Slide]:
-    """Yield the pages of a lesson; what is on the board before drawing begins has none.
+    """Yield the pages of a lesson: see `LessonStep.has_page`.
 
     Examples
     --------
