@@ -126,6 +126,10 @@ class Chart:
         each = zip(cycle.shares.tolist(), output.curve.values.tolist(), strict=True)
         self._points = [self.at(*place) for place in each]
         self._kept: list[int] = thinned(np.array(self._points)).tolist()
+        both = self._readings(0.0)
+        room = place.width - VALUE * first
+        #: Of the values' type.
+        self.size = fitted((*both[0], *both[1]), VALUE, LEAST_VALUE, room)
 
     def at(self, share: float, value: float) -> complex:
         """Return where a value stands at a share of the cycle."""
@@ -214,21 +218,23 @@ class Chart:
 
     def words(self, share: float) -> list[Mark]:
         """Return the value at the cursor, and in the first chart the driver's."""
-        y, room = self._place.top - VALUE_BASELINE, self._place.width
+        y, (output, driver) = self._place.top - VALUE_BASELINE, self._readings(share)
+        marks = [Mark(Lettering(output, complex(self._place.left, y), self.size), "words")]
+        if driver:
+            right = complex(self._place.right - width(driver, self.size), y)
+            marks.append(Mark(Lettering(driver, right, self.size), "term", self._driver.row))
+        return marks
+
+    def _readings(self, share: float) -> tuple[Runs, Runs]:
+        """Return the value at the cursor, and the driver's in the first chart."""
         output = self._output.reading(self.value(share))
         if not self._first:
-            size = fitted(output, VALUE, LEAST_VALUE, room)
-            return [Mark(Lettering(output, complex(self._place.left, y), size), "words")]
+            return output, ()
         place = _value(self._cycle, self._driver.curve, share)
         driver = self._driver.reading(place)
-        if (width(output, VALUE) + width(driver, VALUE)) * NAMED > room - VALUE:
+        if (width(output, VALUE) + width(driver, VALUE)) * NAMED > self._place.width - VALUE:
             driver = self._driver.reading(place, named=False)
-        size = fitted((*output, *driver), VALUE, LEAST_VALUE, room - VALUE)
-        right = complex(self._place.right - width(driver, size), y)
-        return [
-            Mark(Lettering(output, complex(self._place.left, y), size), "words"),
-            Mark(Lettering(driver, right, size), "term", self._driver.row),
-        ]
+        return output, driver
 
     def _x(self, share: float) -> float:
         return self.box.left + share * self.box.width

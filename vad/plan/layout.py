@@ -41,7 +41,8 @@ FLOOR = 0.051  # the lowest baseline where there is no caption
 TOP_RULE = 0.115  # below the top
 TITLE_BASELINE = 0.075  # below the top
 TURN_HEAD = 0.055  # from a panel's rule to its picture
-CURVE_SHARE = 0.17  # of the page's height, for the curve itself
+#: Of the page's height, for the curve itself; on a narrow page pictures need less of it.
+CURVE_SHARE, NARROW_CURVE_SHARE, NARROW = 0.17, 0.25, 1.5
 CURVE_WORDS = 0.115  # above and below it
 TURN_FLOOR = 0.022
 BESIDE = 0.46  # of a row's width, for the curve beside a picture
@@ -353,7 +354,8 @@ Places = tuple[dict[str, PanelPlace], dict[str, Rect]]
 
 def _columns_of_turn(form: Format, names: Sequence[str]) -> Places:
     room = (form.width - 2 * MARGIN - (len(names) - 1) * GUTTER) / len(names)
-    rule, high = form.height - TOP_RULE, CURVE_SHARE * form.height + CURVE_WORDS
+    share = CURVE_SHARE if form.width >= NARROW * form.height else NARROW_CURVE_SHARE
+    rule, high = form.height - TOP_RULE, share * form.height + CURVE_WORDS
     panels, charts = {}, {}
     for index, name in enumerate(names):
         left = MARGIN + index * (room + GUTTER)

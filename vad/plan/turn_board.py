@@ -27,13 +27,14 @@ from vad.plan.layout import beside as beside_mechanism
 from vad.plan.layout import lay_out_turn, rooms
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman
-from vad.plan.marks import Mark, disc, lines
+from vad.plan.marks import Lettering, Mark, disc, lines
+from vad.plan.page.heads import TITLE as TITLE_SIZE
 from vad.plan.page.heads import head, title_marks
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turn_panel import TurnPanel
 from vad.strokes.diagram import Spot
 from vad.strokes.notation import Notation
-from vad.strokes.sheet import Sheet
+from vad.strokes.sheet import Panel, Sheet
 
 POSITIONS = 12
 NUMERAL = 0.024
@@ -123,16 +124,19 @@ class TurnBoard:
             output = dial(sheet, curve)
             first = not charts
             charts[name] = Chart(cycle, output, driver, places[name], first, self.tick_rows)
+        size = min((chart.size for chart in charts.values()), default=0.0)
+        for chart in charts.values():
+            chart.size = size  # that of the one with the least room
         return charts
 
     def _still(self, sheet: Sheet) -> Iterator[tuple[str, list[Mark]]]:
         """Yield what never changes: title, heads, and the curves with their ticks."""
         yield TITLE, title_marks(sheet, self.page)
+        texts = (mark.shape for panel in sheet.panels for mark in self._head(panel)[1:2])
+        size = min(text.size for text in texts if isinstance(text, Lettering))
         for panel in sheet.panels:
             moving, place = self.panels[panel.name], self.page.panels[panel.name]
-            centimetre = self.form.centimetre
-            marks = head(panel, place, moving.scale, centimetre, sheet.notation)
-            yield head_of(panel.name), marks
+            yield head_of(panel.name), self._head(panel, size)
             if panel.name == "position":
                 yield panel.name, self._return_way(moving)
             elif panel.name == "drive":
@@ -140,6 +144,10 @@ class TurnBoard:
         for name, chart in self.charts.items():
             ticks = chart.scale(self.ticks, self.tick_rows - 1)
             yield curve_of(name), [*chart.still(), *ticks]
+
+    def _head(self, panel: Panel, most: float = TITLE_SIZE) -> list[Mark]:
+        place, scale = self.page.panels[panel.name], self.panels[panel.name].scale
+        return head(panel, place, scale, self.form.centimetre, self.sheet.notation, most)
 
     def _return_way(self, moving: TurnPanel) -> list[Mark]:
         """Return the part of the crank pin's way in which the output returns."""

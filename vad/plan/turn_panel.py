@@ -5,6 +5,7 @@ The scale, the supports and the motions of the labels are chosen once for all po
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -21,13 +22,18 @@ from vad.plan.labels.springs import Ballast, Boxes, Crowd, Spring, find_spring
 from vad.plan.labels.vertices import LETTER, SMALL_SIZE, lettered, text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
+from vad.plan.marks import Mark, line
 from vad.plan.pictures import over_turn
 from vad.plan.pictures.polygon import CORIOLIS, name_of, principal
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.diagram import Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel, Stroke
 
-FADING = 0.025  # from the edge on, a label fades; and below that length, that of a vector
+FADING = 0.025  # so far from the edge a label goes, and where a vector is twice as short
+#: A label shows in full from this share of its ink on, and else not at all.
+SHOWN = 0.5
+#: A label that stands farther from its dot is led to it by a line; from there on the line appears.
+FAR, LEADER_APPEARS, LEADER_GAP = 20.0 * PIXEL, 4.0 * PIXEL, 5.0 * PIXEL
 
 
 #: The components of vectors that have a name of their own.
@@ -109,23 +115,41 @@ class TurnPanel:
         """Return one pose with its labels."""
         sketch = self.picture.pose(panel)
         solved = Solved(panel, self.scale)
-        for name, placed, alpha in self.labels(panel, phase):
+        for name, placed in self.labels(panel, phase):
             runs, role = symbols(name.text), "letter" if name.row is None else "tag"
             hung = name.anchor, solved.place(name.anchor)
             text = text_beside(*hung, runs, placed.centre, name.size, role, name.row)
-            sketch.add(None, Level.LABEL, 0, [replace(text, alpha=alpha)])
+            sketch.add(None, Level.LABEL, 0, [*self._leader(name, hung[1], placed), text])
             sketch.obstacles.box(placed.box)
         return sketch
 
-    def labels(self, panel: Panel, phase: float) -> list[tuple[Name, Placed, float]]:
-        """Return the labels that show at a phase, where they stand, and their share of ink."""
+    def _leader(self, name: Name, dot: complex, placed: Placed) -> list[Mark]:
+        """Return the line from a label to its dot, if it stands far from it."""
+        if name.vector:
+            return []
+        away = dot - placed.centre
+        aside, above = abs(away.real) - placed.wide / 2, abs(away.imag) - placed.high / 2
+        gap = math.hypot(max(aside, 0.0), max(above, 0.0)) - self.picture.radius
+        ink = min(max((gap - FAR) / LEADER_APPEARS + 1.0, 0.0), 1.0)
+        if not ink:
+            return []
+        edge = placed.centre + complex(
+            min(max(away.real, -placed.wide / 2), placed.wide / 2),
+            min(max(away.imag, -placed.high / 2), placed.high / 2),
+        )
+        way = (dot - edge) / abs(dot - edge)
+        ends = edge + LEADER_GAP * way, dot - (self.picture.radius + LEADER_GAP / 2) * way
+        return [replace(line(ends, "leader"), alpha=ink)]
+
+    def labels(self, panel: Panel, phase: float) -> list[tuple[Name, Placed]]:
+        """Return the labels that show at a phase, and where they stand."""
         found = []
         for name in self.names:
             dot, alpha = self._spot(name.letters, name.vector, panel, phase)
             offset, ink = name.spring.at(phase)
-            if alpha * ink > 0.0:
+            if alpha * ink >= SHOWN:
                 size = ink_size(symbols(name.text), name.size)
-                found.append((name, Placed(dot + offset, *size), alpha * ink))
+                found.append((name, Placed(dot + offset, *size)))
         return found
 
     def dot(self, name: Name, panel: Panel, phase: float) -> complex:

@@ -53,10 +53,14 @@ def head(
     scale: Scale,
     centimetre: float | None,
     notation: Notation,
+    most: float = TITLE,
 ) -> list[Mark]:
-    """Return the head of a panel; on paper it states what a centimetre stands for."""
+    """Return the head of a panel; on paper it states what a centimetre stands for.
+
+    Its title is no larger than ``most``.
+    """
     if scale.bare:
-        return _head(panel, place, TITLE)
+        return _head(panel, place, most)
     left, right = place.drawing.left, place.drawing.right
     title = bold(roman(panel.title))
     room = right - left - width(title, TITLE) - APART
@@ -64,7 +68,7 @@ def head(
     beside = right - left - width(title, LEAST_TITLE) - APART - length - SCALE_GAP
     size = fitted(runs, SCALE_SIZE, LEAST_SCALE, beside)
     start = right - width(runs, size) - SCALE_GAP - length
-    marks = _head(panel, place, fitted(title, TITLE, LEAST_TITLE, start - APART - left))
+    marks = _head(panel, place, fitted(title, most, LEAST_TITLE, start - APART - left))
     return [*marks, *bar_marks(length, runs, complex(start, place.title), size)]
 
 

@@ -39,6 +39,7 @@ from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import SINGLE, STACKED, Scale, bar_box, bar_marks, fill, polygon_scale, stated
 from vad.plan.sketch import Setting, Sketch
+from vad.strokes.diagram import VELOCITY
 from vad.strokes.sheet import Arc, Arrow, Dot, Ellipse, Line, Panel, PolarInset, Stroke, StrokePart
 
 CORIOLIS = "2ωv"
@@ -190,6 +191,8 @@ def over_turn(setting: Setting, poses: Sequence[Panel]) -> Polygon:
     polygons = [corners(principal(pose)) for pose in poses]
     # What leaves its room would be taken for a part of the other polygon in its column.
     dwarfed = SINGLE if len(setting.sheet.panel(setting.panel.column).halves) == 1 else STACKED
+    if setting.panel.column == VELOCITY.panel:
+        dwarfed = math.inf  # a quick return is fast: that is what the turn shows
     below = BAR_ROOM if setting.panel.name != setting.panel.column else 0.0
 
     def scale_in(room: Rect) -> Scale:
