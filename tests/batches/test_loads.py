@@ -172,7 +172,7 @@ def test_a_row_that_cannot_be_hinders_no_other(tmp_path):
     ("language", "words"),
     [
         ("en", ("the force of the frame on the slider", "the torque that must act on the crank")),
-        ("de", ("der Kraft der Stange an dem Schieber", "das Moment, das an der Kurbel wirken")),
+        ("de", ("der Kraft der Stange am Schieber", "das Moment, das an der Kurbel wirken")),
         ("fr", ("de la force de la bielle sur le coulisseau", "le couple qui doit agir sur la")),
     ],
 )

@@ -28,13 +28,13 @@ PHRASES = {
     "quiz coriolis": "Gesucht: der Betrag der Coriolisbeschleunigung {slide:des} in {unit}.",
     "quiz point velocity": "Gesucht: der Betrag der Geschwindigkeit von {point} in {unit}.",
     "quiz point acceleration": "Gesucht: der Betrag der Beschleunigung von {point} in {unit}.",
-    "quiz force": "Gesucht: der Betrag der Kraft {one:des} an {other:dem} in {unit}.",
+    "quiz force": "Gesucht: der Betrag der Kraft {one:des} {other:am} in {unit}.",
     "quiz torque": (
-        "Gesucht: das Moment, das an {link:dem} wirken muss, in {unit}, gegen den Uhrzeigersinn "
+        "Gesucht: das Moment, das {link:am} wirken muss, in {unit}, gegen den Uhrzeigersinn "
         "positiv."
     ),
     "quiz push": (
-        "Gesucht: die Kraft, die an {slide:dem} wirken muss, in {unit}, positiv in der Richtung, "
+        "Gesucht: die Kraft, die {slide:am} wirken muss, in {unit}, positiv in der Richtung, "
         "in der die Lage zunimmt."
     ),
     "quiz found mass": "Gesucht: die Masse von {point} in kg.",
@@ -239,7 +239,7 @@ PHRASES = {
         "{place} muss der Antrieb die Enden von {of} mit {symbol} = {value} {unit} zusammenziehen."
     ),
     "answer torque": (
-        "{place} muss das Drehmoment *{symbol}* = {value} {unit} {way} an {name:dem} {of} wirken."
+        "{place} muss das Drehmoment *{symbol}* = {value} {unit} {way} {name:am} {of} wirken."
     ),
     "answer force": (
         "{place} muss die Kraft {symbol} = {value} {unit} {name:den} {of} {way} antreiben."
@@ -620,13 +620,13 @@ PHRASES = {
     "turned speed": "{label} = {size}: *v* = {omega}·{label} = {rate} × {size} = {value} {unit}.",
     # Kräfte
     "force nothing": "Kein Gelenk trägt eine Kraft: nur der Antrieb ist belastet.",
-    "force force": "{label} = {value} {unit}, die Last an {link:dem} in {point}.",
+    "force force": "{label} = {value} {unit}, die Last {link:am} in {point}.",
     "force weight": "{label} = {value} {unit}, das Gewicht {link:des} in {point}.",
     "force inertia": (
         "{label} = *m*·*a* = {mass} {heavy} × {size} {fast} = {value} {unit}, die Trägheitskraft "
         "{link:des}, gegen die Beschleunigung von {point}."
     ),
-    "force couple": "{label} = {value} {unit}, {sense}, das Moment an {link:dem}.",
+    "force couple": "{label} = {value} {unit}, {sense}, das Moment {link:am}.",
     "force spin": (
         "{label} = *I*·{symbol} = {inertia} {heavy} × {alpha} {turning} = {value} {unit}, {sense}, "
         "das Moment der Trägheitskräfte {link:des}, gegen {symbol}."
@@ -635,12 +635,12 @@ PHRASES = {
         "Um *h* = {couple}/{label} = {moment} {turning}/({value} {unit}) = {arm} {length} "
         "verschoben, hat {label} allein auch das Moment {couple}."
     ),
-    "force friction": "{label} = {value} {unit}, die Reibung an {link:dem} in {point}.",
+    "force friction": "{label} = {value} {unit}, die Reibung {link:am} in {point}.",
     "force joint": (
-        "{label} = {value} {unit}: die Gegenkraft {other:des} an {link:dem}, entgegengesetzt zu "
+        "{label} = {value} {unit}: die Gegenkraft {other:des} {link:am}, entgegengesetzt zu "
         "{opposite}."
     ),
-    "force along": "{label} = {value} {unit} hält, was längs seiner Geraden an {link:dem} wirkt.",
+    "force along": "{label} = {value} {unit} hält, was längs seiner Geraden {link:am} wirkt.",
     "force moments": (
         "Momente um {point}: {label} = {moment} {turning}/({size} {length}) = {value} {unit}, "
         "⟂ {bar}."
@@ -649,36 +649,35 @@ PHRASES = {
     "force two": "An {link:dem} {bar} wirken nur zwei Kräfte: beide liegen längs {bar}.",
     "force line": "Die Wirkungslinie von {label}.",
     "force meeting": (
-        "Drei Kräfte im Gleichgewicht gehen durch einen Punkt: an {link:dem} schneiden sich "
+        "Drei Kräfte im Gleichgewicht gehen durch einen Punkt: {link:am} schneiden sich "
         "{label} und {force} in {letter}."
     ),
     "force three": "Also geht auch {label} durch {point} und {meeting}.",
     "force rest": "Der Rest der Kraft, {label}, liegt längs {bar}.",
     "drive along": "{label} liegt längs der Geraden, auf der {link:der} gleitet.",
-    "drive force": "{label} = {value} {unit}: so viel muss der Antrieb an {link:dem} aufbringen.",
+    "drive force": "{label} = {value} {unit}: so viel muss der Antrieb {link:am} aufbringen.",
     "force closes": "Die beiden Geraden schneiden sich: das Polygon schließt sich.",
     "force part": "{label} = {value} {unit}, gemessen.",
-    "force pushes": "{label} = {value} {unit}: {one:der} drückt an {other:dem}.",
-    "force pulls": "{label} = {value} {unit}: {one:der} zieht an {other:dem}.",
-    "force on": "{label} = {value} {unit}: die Kraft {one:des} an {other:dem}.",
+    "force pushes": "{label} = {value} {unit}: {one:der} drückt {other:am}.",
+    "force pulls": "{label} = {value} {unit}: {one:der} zieht {other:am}.",
+    "force on": "{label} = {value} {unit}: die Kraft {one:des} {other:am}.",
     "force arm": "*h* = {arm} {length} ist der Abstand des Punktes {point} von dieser Geraden.",
     "torque none": "Die Momente um {point} heben sich auf: es braucht kein Drehmoment.",
-    "torque": "Momente um {point}: *T* = {torque} {turning}, {sense}, muss an {link:dem} wirken.",
+    "torque": "Momente um {point}: *T* = {torque} {turning}, {sense}, muss {link:am} wirken.",
     "torque sum": (
-        "Momente um {point}: *T* = {terms} = {torque} {turning}, {sense}, muss an {link:dem} "
-        "wirken."
+        "Momente um {point}: *T* = {terms} = {torque} {turning}, {sense}, muss {link:am} wirken."
     ),
     "superposed part": "{label} = {value} {unit} gehört zu {loads} allein.",
     "superposed alone": "{loads} allein: {said}",
     "drive superposed": (
-        "{label} = {symbols} = {terms} = {value} {unit}: so viel muss der Antrieb an {link:dem} "
+        "{label} = {symbols} = {terms} = {value} {unit}: so viel muss der Antrieb {link:am} "
         "aufbringen."
     ),
     "superposed sum": (
-        "{label} = {terms} = {value} {unit} als Vektoren: die Kraft {one:des} an {other:dem}."
+        "{label} = {terms} = {value} {unit} als Vektoren: die Kraft {one:des} {other:am}."
     ),
     "torque superposed": (
-        "*T* = {symbols} = {terms} = {torque} {turning}, {sense}, muss an {link:dem} wirken."
+        "*T* = {symbols} = {terms} = {torque} {turning}, {sense}, muss {link:am} wirken."
     ),
     "power one": (
         "{drive}·{symbol} = {value} {unit} × {rate} {fast} = {power} {watt}; {symbols} = {taken} "
@@ -694,10 +693,10 @@ PHRASES = {
     ),
     "force torque": (
         "*T* = {label}·*h* = {value} {unit} × {arm} {length} = {torque} {turning}, {sense}, muss "
-        "an {link:dem} wirken."
+        "{link:am} wirken."
     ),
     "force whole": (
-        "{label} = √({known}² + {found}²) = {value} {unit}: die Kraft {one:des} an {other:dem}."
+        "{label} = √({known}² + {found}²) = {value} {unit}: die Kraft {one:des} {other:am}."
     ),
     "turning measured": "{label} = {symbol} = {value} {unit}.",
     # --- das räumliche Gelenkviereck
@@ -968,12 +967,29 @@ GENDERS = {
 }
 
 #: Der männliche Artikel, nach dem ein Satz fragt, und was daraus je nach Geschlecht wird.
-_M = {"der": "der {}", "des": "des {}s", "dem": "dem {}", "zum": "zum {}", "im": "im {}"}
+_M = {
+    "der": "der {}",
+    "des": "des {}s",
+    "dem": "dem {}",
+    "den": "den {}",
+    "zum": "zum {}",
+    "im": "im {}",
+    "am": "am {}",
+}
+_F = {
+    "der": "die {}",
+    "des": "der {}",
+    "dem": "der {}",
+    "den": "die {}",
+    "zum": "zur {}",
+    "im": "in der {}",
+    "am": "an der {}",
+}
 ARTICLES = {
     "m": _M,
     "m-es": _M | {"des": "des {}es"},
-    "f": {"der": "die {}", "des": "der {}", "dem": "der {}", "zum": "zur {}", "im": "in der {}"},
-    "n": _M | {"der": "das {}"},
+    "f": _F,
+    "n": _M | {"der": "das {}", "den": "das {}"},
 }
 
 #: Das Dezimalzeichen.

@@ -639,18 +639,20 @@ PHRASES = {
         "{unit}, ⟂ {bar}."
     ),
     "force square": "{label} est perpendiculaire à la ligne sur laquelle {link:le} coulisse.",
-    "force two": "Deux forces seulement agissent sur {link:le} {bar} : elles sont suivant {bar}.",
+    "force two": (
+        "Deux forces seulement agissent sur {link:le} {bar} : elles sont portées par {bar}."
+    ),
     "force line": "La ligne d’action de {label}.",
     "force meeting": (
         "Trois forces en équilibre passent par un même point : sur {link:le}, {label} et {force} "
         "se coupent en {letter}."
     ),
     "force three": "{label} passe donc aussi par {point} et {meeting}.",
-    "force rest": "Le reste de la force, {label}, est suivant {bar}.",
+    "force rest": "Le reste de la force, {label}, est porté par {bar}.",
     "drive along": "{label} est suivant la ligne sur laquelle {link:le} coulisse.",
     "drive force": "{label} = {value} {unit} doit entraîner {link:le} suivant sa ligne.",
     "force closes": "Les deux droites se coupent : le polygone se ferme.",
-    "force part": "{label} = {value} {unit}, mesuré.",
+    "force part": "{label} = {value} {unit}, mesurée.",
     "force pushes": "{label} = {value} {unit} : {one:le} pousse {other:le}.",
     "force pulls": "{label} = {value} {unit} : {one:le} tire {other:le}.",
     "force on": "{label} = {value} {unit} : l’effort {one:du} sur {other:le}.",
