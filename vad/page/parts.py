@@ -378,7 +378,7 @@ def measured_cells(plan: Plan, panel: Panel, row: Row, words: RunWriter, values:
     readings = [_reading(plan, cell) for cell in cells]
     need = _need(cells, readings)
     if need > room and alike(cells, panel.name, plan.sheet.rows):
-        readings = [_reading(plan, cell, bare=True) for cell in cells]
+        readings = [_reading(plan, cell, bare=cell is not cells[-1]) for cell in cells]
         need = _need(cells, readings)
     small = f' style="font-size:{100 * room / need:.0f}%"' if need > room else ""
     written = map(_cell, cells, readings, repeat(words))

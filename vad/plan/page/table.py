@@ -136,7 +136,8 @@ class Columns:
         baseline, dressed = self._page.rows[index], self._entries.dressed
         cells, shrink = row.cells.get(panel, ()), self._shrink(panel)
         bare = self._bare(cells, panel)
-        values = [dressed(cell, new, self._reading(cell, bare)) for cell in cells]
+        readings = self._readings(cells, bare)
+        values = [dressed(cell, new, each) for cell, each in zip(cells, readings, strict=True)]
         signs = [dressed(cell, new, _sign(cell)) for cell in cells]
         size, symbol = SIZE * shrink, self._symbol(panel) * shrink
         # Decimal points stand one below the other.
@@ -165,7 +166,7 @@ class Columns:
         return found
 
     def _bare(self, cells: Sequence[Cell], panel: str) -> bool:
-        """Tell whether cells leave out their units, because there is no room for them."""
+        """Tell whether only the last cell has its unit, because there is no room for all."""
         left, right = self._places[panel]
         tight = len(cells) > 1 and self._need(cells, panel) > right - left
         return tight and alike(cells, panel, self._entries.sheet.rows)
@@ -226,14 +227,21 @@ class Columns:
         return places
 
     def _need(self, cells: Sequence[Cell], panel: str, bare: bool = False) -> float:
-        """Return the width of cells at full size, in bold; ``bare`` ones have no units."""
+        """Return the width of cells at full size, in bold; of ``bare`` ones the last has its unit."""
         if not cells:
             return 0.0
         signs = [self._entries.dressed(cell, True, _sign(cell)) for cell in cells[1:]]
-        values = [self._entries.dressed(cell, True, self._reading(cell, bare)) for cell in cells]
+        values = [
+            self._entries.dressed(cell, True, each)
+            for cell, each in zip(cells, self._readings(cells, bare), strict=True)
+        ]
         runs = sum(width(runs, SIZE) for runs in (*values, *signs))
         start = self._symbol(panel) + NUMBERS - EQUALS + self._whole(panel) - self._ahead(values[0])
         return start + runs + CLEAR * len(signs)
+
+    def _readings(self, cells: Sequence[Cell], bare: bool) -> list[Runs]:
+        """Return the numbers of a row with their units; ``bare`` ones share that of the last."""
+        return [self._reading(cell, bare and cell is not cells[-1]) for cell in cells]
 
     def _reading(self, cell: Cell, bare: bool) -> Runs:
         unit = with_unit("", self._entries.unit(cell))
