@@ -28,7 +28,7 @@ LAID, ARCS = 1.35, (1.12, 1.25)
 #: From O: the back of a yoke, the middle of its bearing, the end of its shaft, that of its axis.
 BACK, BEARING, END, AXIS = 0.5, 0.85, 1.05, 1.25
 #: Radii of the arcs of θ₂, θ₄ and of the angle between the shafts; half of a fork in degrees.
-DRIVING, DRIVEN, SHAFTS, FORK = 1.15, 0.32, 1.15, 13.0
+DRIVING, DRIVEN, SHAFTS, FORK = 1.15, 0.45, 1.15, 13.0
 ROWS = {"12": "driving", "24": "cross", "14": "driven", "23": "cross", "43": "cross"}
 
 
@@ -144,7 +144,7 @@ class Script(BodyScript):
         self.lay_over({"P": "cross", "Q": "cross"}, LAID, ARCS)
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
         right = Term(self.scene.write("hooke ratio", theta="θ₂", shafts="β"), "driving", "P.angle")
-        notes = self.note(AXIS + 1.2j, "along"), self.note(o + AXIS - 1j, "plan")
+        notes = self.note(AXIS + 1.2j, "along"), self.note(o - 1.7 + 0.5j, "plan")
         return self.finished((left,), (right,), *notes)
 
     def _ratio(self) -> Sentence:

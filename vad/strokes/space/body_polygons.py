@@ -33,6 +33,8 @@ from vad.written import PRIME, subscript
 TURNED = "ω" + subscript(42) + "τ̇"
 #: The rotation of 4 relative to 2 along I, by the number of the order.
 RELATIVE = ("", "ω" + subscript(42), "α" + subscript(42) + "ₜ")
+#: An arc of fewer degrees is not drawn.
+FLAT = 1e-6
 #: The axes along which the vectors of a polygon of bodies lie.
 AXES = {"12": "OA", "24": "OI", "14": "OD", "23": "OB", "43": "OC"}
 
@@ -318,6 +320,8 @@ class BodyScript(Script):
                 self.degrees(self.angle(sizes[number])),
             )
             self.arc(f"{name}.arc", at, radii[number], angle, link, label, start)
+            if sizes[number] <= FLAT:
+                self.leave_out()
 
     def tracks(self, order: Order) -> Mapping[Spot, Any]:
         """Return where the lettered points are, of one pose or of many."""
