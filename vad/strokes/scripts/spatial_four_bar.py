@@ -134,7 +134,7 @@ class Script(SlidingScript):
         construction("I.axis", axis("H", "i"), "axis", "I")
         crossing("H.found", Dot(at["H"]), label="H", reveals=("axis",))
         of_star = self.note(star + (NOTE - 0.8j * RAY) * reach, "star")
-        of_rose = self.note(rose - NOTE * reach, "rose")
+        of_rose = self.note(rose - 2.2j * ROSE * reach, "rose")
         right = "AD", "D.slide", "DC.rocker", "C.slide"
         return self.finished(("AB.crank", "B.slide", "BC.coupler"), right, of_star, of_rose)
 
