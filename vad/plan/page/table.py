@@ -227,7 +227,7 @@ class Columns:
         return places
 
     def _need(self, cells: Sequence[Cell], panel: str, bare: bool = False) -> float:
-        """Return the width of cells at full size, in bold; of ``bare`` ones the last has its unit."""
+        """Return the width of cells at full size, in bold; ``bare`` ones share the last unit."""
         if not cells:
             return 0.0
         signs = [self._entries.dressed(cell, True, _sign(cell)) for cell in cells[1:]]
