@@ -16,6 +16,9 @@ from vad.plan.geometry import Rect
 from vad.plan.hodographs import Hodographs
 from vad.plan.scale import Scale
 from vad.strokes.centrodes import Centrodes, centrode_of, pair_of
+from vad.strokes.diagrams import DIAGRAMS
+from vad.strokes.draw import scene_of
+from vad.words import Language
 
 #: A frame that nothing leaves.
 ALL = (-1e12 - 1e12j, 1e12 + 1e12j)
@@ -157,3 +160,15 @@ def test_what_has_no_centrodes():
         vad.turn(vad.HookeJoint(), centrode="driven")
     kennedy = kennedy_of(vad.solve(vad.ScotchYoke()).plane)
     assert {"block", "yoke"} <= set(kennedy.names)
+
+
+def test_a_centre_names_the_arrow_that_leads_to_it_where_it_is_far():
+    """Over a turn its letter stands beside that arrow, so each pose draws a dot or the arrow."""
+    turned = vad.solve(vad.FourBar(), angle=np.linspace(0, 350, 36))
+    spots = DIAGRAMS["centres"].tracks(scene_of(turned, Language("en")))
+    arrows = {spot.letter: spot.arrow for spot in spots if spot.arrow}
+    assert arrows == {"I₁₃": "I13.found", "I₂₄": "I24.found"}
+    for angle in (0.0, 60.0, 145.0, 250.0):
+        panel = vad.draw(vad.solve(vad.FourBar(), angle=angle), "centres").panel("centres")
+        shown = {stroke.name for stroke in panel.strokes}
+        assert set(arrows.values()) <= shown

@@ -117,7 +117,10 @@ class TurnPanel:
         solved = Solved(panel, self.scale)
         for name, placed in self.labels(panel, phase):
             runs, role = symbols(name.text), "letter" if name.row is None else "tag"
-            hung = name.anchor, solved.place(name.anchor)
+            far = bool(name.letters) and self._is_far(name.letters[0], panel)
+            arrow = name.letters[0].arrow if far else ""
+            anchor = Anchor(((arrow, "start"), (arrow, "end"))) if arrow else name.anchor
+            hung = anchor, solved.place(anchor)
             text = text_beside(*hung, runs, placed.centre, name.size, role, name.row)
             sketch.add(None, Level.LABEL, 0, [*self._leader(name, hung[1], placed), text])
             sketch.obstacles.box(placed.box)
@@ -156,6 +159,11 @@ class TurnPanel:
         """Return what a label stands beside: its dot, or the middle of its vector."""
         return self._spot(name.letters, name.vector, panel, phase)[0]
 
+    @staticmethod
+    def _is_far(spot: Spot, panel: Panel) -> bool:
+        """Tell whether a point is too far away to be drawn in a pose: a centre may be."""
+        return spot.path in ("numbered", "none") and spot.letter not in lettered(panel)
+
     def _anchor(self, letters: tuple[Spot, ...], dot: complex, solved: Solved) -> Anchor:
         """Return the anchor of letters; a point in two views has it in the view that it names."""
         found = [Anchor((point,)) for point in lettered(solved.panel)[letters[0].letter]]
@@ -174,8 +182,11 @@ class TurnPanel:
             start, end = self.scale(shape.start), self.scale(shape.end)
             at = (start + end) / 2
             alpha = min(max(abs(end - start) / FADING - 1.0, 0.0), 1.0)
-        elif letters[0].path in ("numbered", "none") and letters[0].letter not in lettered(panel):
-            return complex("nan"), 0.0  # a centre that is far away in this pose
+        elif self._is_far(letters[0], panel):
+            arrow = _arrow(letters[0], panel)
+            if arrow is None:
+                return complex("nan"), 0.0
+            at = (self.scale(arrow.start) + self.scale(arrow.end)) / 2
         else:
             at = self.hodographs.at(letters[0], phase - self._opening)
         near = min(at.real - room.left, room.right - at.real, at.imag - room.bottom)
@@ -217,7 +228,8 @@ class TurnPanel:
             spring = find_spring(own, size, rivals, among, placed)
             anchor = Anchor(((vector, "start"), (vector, "end")))
             if not vector:
-                first = int(np.isfinite(own).argmax())  # where it is seen
+                seen = [not self._is_far(letters[0], pose) for pose in poses]
+                first = int((np.isfinite(own) & seen).argmax())
                 anchor = self._anchor(
                     letters, complex(own[first]), Solved(poses[first], self.scale)
                 )
@@ -237,6 +249,12 @@ class TurnPanel:
             elif letter.row or not np.ptp(way):  # the lever's point under a pin needs no letter
                 same[0].append(letter)
         return [tuple(group) for group in sorted(found, key=lambda g: g[0] in self.ways)]
+
+
+def _arrow(spot: Spot, panel: Panel) -> Arrow | None:
+    """Return the arrow that leads to a point in a pose, if there is one."""
+    shapes = (stroke.shape for stroke in panel.strokes if stroke.name == spot.arrow)
+    return next((shape for shape in shapes if isinstance(shape, Arrow)), None)
 
 
 def _all(panel: Panel) -> tuple[Stroke, ...]:

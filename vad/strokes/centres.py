@@ -73,9 +73,9 @@ def centres_tracks(scene: Any) -> Mapping[Spot, Any]:
         if not drawn.kennedy.alike(*found.pair):
             numbered = found.pair == rolling and FRAME in found.pair
             path: Any = "numbered" if numbered else "none"
-            spot = Spot(
-                drawn.names.centre(found.pair), row=drawn.names.row(found.pair[1]), path=path
-            )
+            letter, arrow = drawn.names.centre(found.pair), drawn.stroke(found.pair)
+            row = drawn.names.row(found.pair[1])
+            spot = Spot(letter, row=row, path=path, arrow=arrow)
             spots[spot] = drawn.kept(drawn.at(found.pair))
     return spots
 
@@ -240,7 +240,7 @@ class _Drawn:
         edges = []
         for pair in (*self.kennedy.pins, *self.kennedy.slides, *(f.pair for f in self.sought)):
             one, other = sorted(places[name] for name in pair)
-            edges.append((one, other, self._stroke(pair)))
+            edges.append((one, other, self.stroke(pair)))
         rows = tuple("" if name == FRAME else self.names.row(name) for name in names)
         shape = KennedyCircle(
             tuple(str(self.names.numbers[name]) for name in names), rows, tuple(edges)
@@ -252,7 +252,7 @@ class _Drawn:
         )
         self.pencil.add("bodies", "circle", "guide", "", shape, said)
 
-    def _stroke(self, pair: Pair) -> str:
+    def stroke(self, pair: Pair) -> str:
         """Return the name of the stroke with which a centre is known."""
         if pair in self.kennedy.pins:
             return "pins.known"

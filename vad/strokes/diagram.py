@@ -107,7 +107,8 @@ class Spot(NamedTuple):
     polygon below.  One that is not ``lettered`` has a name that is not written beside it.  ``row``
     is that whose ink its path has, where no vector tells it that ends there.  ``path`` says whether
     its path over a turn is drawn with numbered positions, is bare of them, is numbered alone
-    because a stroke of the panel draws it, or is left out.
+    because a stroke of the panel draws it, or is left out.  ``arrow`` is the name of the stroke
+    that leads to it in poses in which it is too far away to be drawn.
     """
 
     letter: str
@@ -116,6 +117,7 @@ class Spot(NamedTuple):
     lettered: bool = True
     row: str | None = None
     path: Literal["drawn", "bare", "numbered", "none"] = "drawn"
+    arrow: str = ""
 
 
 def in_plane(motion: Motion[Any, Any, Any]) -> bool:
