@@ -30,7 +30,9 @@ if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_I
 #: Of the cases of an exhaustive test one in so many runs usually, and always the first.
 ONE_IN = 8
 
-settings.register_profile("the same each time", derandomize=True)
+# No test has a limit of time: a machine may be busy.
+settings.register_profile("the same each time", derandomize=True, deadline=None)
+settings.register_profile("new each time", deadline=None)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -40,8 +42,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 def pytest_configure(config: pytest.Config) -> None:
     """Choose the examples of hypothesis."""
-    if not config.getoption("--exhaustive"):
-        settings.load_profile("the same each time")
+    exhaustive = config.getoption("--exhaustive")
+    settings.load_profile("new each time" if exhaustive else "the same each time")
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
