@@ -4,6 +4,10 @@ Run as ``python -m benchmarks.hand``; it needs playwright and chromium, on Linux
 time, and so say something on a machine that has nothing else to do; what else ran is stated with
 them.  The processor time that a move takes of the page's main thread is stated besides, which
 others on the machine disturb less, and how many questions a drag asks: it should be none.
+
+What a move takes contains what the browser takes to be driven from outside, more than a millisecond
+on an empty page, and the frames in which the picture glides on after it.  So the time of a single
+frame is stated, too: the page makes one move in each of many frames by itself.
 """
 
 from __future__ import annotations
@@ -40,24 +44,48 @@ _WATCH = """() => {
 }"""
 
 
+#: Makes one move in each of so many frames.
+_FRAMES = """([x, y, count]) => new Promise((done) => {
+  const ring = document.querySelector("[data-vad-grip]");
+  const step = () => {
+    const turn = 2 * Math.PI * count / 60, bubbles = true, pointerId = 1;
+    const [clientX, clientY] = [x + 12 * Math.sin(turn), y + 12 * Math.cos(turn) - 12];
+    ring.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY, bubbles, pointerId }));
+    if (count--) requestAnimationFrame(step);
+    else done();
+  };
+  requestAnimationFrame(step);
+})"""
+
+
 def main() -> None:
     """Measure and write ``results/hand.csv``."""
     rows = []
     with launched() as browser:
         for name in vad.MECHANISMS:
-            times, worked, asked = measured(browser, name)
+            times, worked, framed, asked = measured(browser, name)
             load = os.getloadavg()[0] / (os.cpu_count() or 1)
             median, most = np.percentile(times[:, 1] - times[:, 0], [50, 95])
             rows.append(
-                [name, len(times), *map(three, (median, most, worked)), asked, f"{load:.1f}"]
+                [
+                    name,
+                    len(times),
+                    *map(three, (median, most, worked, framed)),
+                    asked,
+                    f"{load:.1f}",
+                ]
             )
             print(*rows[-1], flush=True)
-    head = ["mechanism", "frames", "median ms", "p95 ms", "page cpu ms", "questions"]
+    head = ["mechanism", "frames", "median ms", "p95 ms", "page cpu ms", "frame cpu ms"]
+    head.append("questions")
     write_csv(RESULTS / "hand.csv", [*head, "processes per core"], rows, ("playwright",))
 
 
-def measured(browser: object, name: str) -> tuple[np.ndarray, float, int]:
-    """Return the times of each frame, the page's milliseconds for a move, and questions asked."""
+def measured(browser: object, name: str) -> tuple[np.ndarray, float, float, int]:
+    """Return the times of each frame, two sizes of the page's work, and questions asked.
+
+    The page's work is in milliseconds for a move that is made from outside, and for a frame.
+    """
     command = [sys.executable, "-m", "vad", "gui", name, "--no-browser"]
     server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     address = server.stdout.readline().strip()
@@ -83,9 +111,13 @@ def measured(browser: object, name: str) -> tuple[np.ndarray, float, int]:
             after = page.evaluate("frames_.length"), painting(metrics)
             times = np.array(page.evaluate("frames_"))[before[0] : after[0]]
             questions = len(asked)
+            page.evaluate(_FRAMES, [x, y, MOVES])
+            begun = painting(metrics)
+            page.evaluate(_FRAMES, [x, y, 2 * MOVES])
+            framed = 1e3 * (painting(metrics) - begun) / (2 * MOVES)
             page.mouse.up()
             until(page, lambda: page.locator(".window.copied:not(.moving)").count(), 30)
-            return times, 1e3 * (after[1] - before[1]) / MOVES, questions
+            return times, 1e3 * (after[1] - before[1]) / MOVES, framed, questions
     finally:
         server.send_signal(signal.SIGINT)
         server.wait()
