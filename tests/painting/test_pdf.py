@@ -24,6 +24,7 @@ from vad.plan.marks import Disc, Mark
 from vad.strokes.description import describe
 from vad.strokes.sheet import Sheet
 from vad.style import Look, load_style
+from vad.written import with_unit
 
 pytestmark = pytest.mark.exhaustive
 
@@ -98,9 +99,9 @@ def test_text_can_be_searched(name: str) -> None:
     assert plain(sheet.title) in text
     for row in sheet.rows:
         for cells, cell in ((own, each) for own in row.cells.values() for each in own):
-            value = sheet.notation.quantity(cell.value, cell.unit, cell.given)
-            if len(cells) > 1:  # where it is tight, their column has said the unit
-                value = value.partition(" ")[0]
+            value, unit = sheet.notation.cell(cell.value, cell.unit, cell.given)
+            if len(cells) == 1:  # where it is tight, their column has said the unit
+                value = with_unit(value, unit)
             assert plain(f"{cell.symbol.replace('_', '')} = {value}") in text
 
 
