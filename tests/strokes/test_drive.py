@@ -167,3 +167,12 @@ def test_names_are_those_of_every_pose():
                 [sorted(s.name for s in (*half.strokes, *half.zeros)) for half in panel.halves]
             )
         assert names[0] == names[1]
+
+
+def test_couples_stand_in_the_table_beside_the_torque():
+    machine = vad.FourBar(points={"E": ("rocker", 40)})
+    sheet = vad.draw(vad.forces(vad.solve(machine), ["P = 80 N @ 150 at E", "-6 N m on coupler"]))
+    *_, row = sheet.rows
+    assert [(cell.symbol, cell.value) for cell in row.cells["force"]] == [("P", 80.0)]
+    ((couple,),) = (row.cells["drive"],)
+    assert (couple.symbol, couple.value, couple.unit, couple.given) == ("M", -6.0, "N m", True)

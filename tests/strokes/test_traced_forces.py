@@ -91,3 +91,20 @@ def test_forces_of_one_pose_drawn_with_traced_numbers_are_those_of_every_pose(na
             kind = key[0] if key[0] in PANELS else key[2:3]
             assert abs(table[key][number] - value) <= CLOSE * largest[kind], (key, pose)
     assert seen > 10 * len(others)
+
+
+@pytest.mark.parametrize("name", ["four-bar", "gate"])
+def test_under_a_hand_an_arrow_on_the_driven_body_is_as_long_as_its_force_is_large(name: str):
+    machine, burden = MACHINES[name]
+    poles, found = hand_poles(machine, burden), []
+    place = next(iter(machine.inputs))
+    for share in (0.9, 1.0, 1.05):
+        motion = vad.solve(machine, **{place: share * machine.inputs[place]})
+        _, forces = parted(with_forces(motion, burden))
+        held = poles.traced(dict(motion.inputs))
+        scene = scene_of(motion, Language("en"), forces, **held)
+        strokes = sheet_of(scene, ("drive",)).panel("drive").strokes
+        arrow = next(s.shape for s in strokes if s.component == "action" and s.label[0] == "F")
+        on = [each for each in scene.force_names.on_driver if abs(each.force) > 0.0]
+        found.append(abs(arrow.end - arrow.start) / abs(on[0].force))
+    assert found == pytest.approx([found[0]] * 3, rel=1e-9)
