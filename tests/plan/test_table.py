@@ -104,3 +104,12 @@ def test_decimal_points_stand_one_below_the_other(name, size):
 def test_a_rate_is_printed_as_it_was_typed():
     sheet = vad.draw(vad.solve(vad.EllipticalTrammel(), omega="600 rpm"))
     assert "ω₂ = 600 rpm (given)" in describe(sheet) and "v_A = 10.88 m/s" in describe(sheet)
+
+
+def test_several_numbers_with_one_unit_share_it_where_there_is_no_room_for_all():
+    sheet = vad.draw(vad.solve(vad.HookeJoint()))
+    key = load_style("paper").key
+    laid = table(sheet, plan(sheet, screen((1280, 720)), key).page, key)
+    entries = laid.cells(1, sheet.rows[1], "velocity", False)
+    texts = ["".join(run.text for run in entry.number.shape.runs) for entry in entries]
+    assert [text.endswith("rad/s") for text in texts] == [False, False, True]

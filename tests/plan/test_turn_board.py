@@ -226,3 +226,12 @@ def test_a_letter_hangs_on_the_point_beside_it_in_each_view():
             for mark in letters:
                 assert isinstance(mark.hangs, Beside)
                 assert abs(mark.hangs.offset) < 0.12
+
+
+def test_of_two_polygons_in_a_column_none_is_cut_off():
+    board = TurnBoard(vad.turn(vad.SpatialFourBar()))
+    for name, panel in board.panels.items():
+        ways = np.concatenate(list(panel.hodographs.tracks.values()))
+        assert all(panel.room.holds(z) for z in ways), name
+        below = min(z.imag for z in ways) - panel.room.bottom
+        assert below > 0.05 or not name.endswith(".below"), name  # above its scale bar

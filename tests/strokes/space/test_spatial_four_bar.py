@@ -19,7 +19,7 @@ from vad.kinematics.reach import closing_range
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import scene_of
 from vad.strokes.scripts.spatial_four_bar import PICTORIAL
-from vad.strokes.sheet import Curve, Line, Panel, Sheet
+from vad.strokes.sheet import Arc, Curve, Line, Panel, Sheet
 from vad.words import Language, languages
 
 pytestmark = pytest.mark.exhaustive
@@ -279,3 +279,20 @@ def test_a_sheet_comes_back_from_its_json():
 @pytest.mark.parametrize("angle", ANGLES[::3])
 def test_no_label_stands_on_a_stroke_or_on_another(angle: float, lesson: bool):
     assert overlaps(sheet(angle), lesson=lesson) == []
+
+
+@poses
+def test_the_star_is_large_and_has_its_angles(angle: float):
+    views = sheet(angle).panel("position")
+    joints = [dot(views, f"{letter}.fixed") for letter in "AD"]
+    rays = {letter: curve(views, f"star.{letter}") for letter in "ADI"}
+    ways = {letter: (end - start) for letter, (start, end) in rays.items()}
+    assert all(abs(way) > 0.5 * abs(joints[1] - joints[0]) for way in ways.values())
+    for name, end in (("twist", "D"), ("tau", "I")):
+        shape = stroke(views, f"star.{name}").shape
+        assert isinstance(shape, Arc)
+        turned = cmath.phase(ways[end] / ways["A"])
+        assert math.radians(shape.sweep) == pytest.approx(turned, abs=1e-9)
+        assert cmath.rect(1.0, math.radians(shape.start)) == pytest.approx(
+            ways["A"] / abs(ways["A"])
+        )

@@ -15,7 +15,7 @@ from tests.plan.overlaps import overlaps, planned
 from tests.strokes.named import dot, stroke, vector
 from vad.export.sheet_json import sheet_from_json, to_text
 from vad.plan.marks import Polyline, Scaling
-from vad.strokes.sheet import Ellipse, Fold, Line, Sheet
+from vad.strokes.sheet import Arc, Curve, Ellipse, Fold, Line, Sheet
 
 pytestmark = pytest.mark.exhaustive
 
@@ -173,3 +173,28 @@ def test_great_circles_of_a_mirrored_mechanism_are_mirrored():
     assert abs(dot(one, "C.found") - dot(mirrored, "C.found")) < 1e-12
     # The instant axis is the same line; which end is called I goes with the assembly.
     assert abs(dot(one, "I.found") + dot(mirrored, "I.found")) < 1e-12
+
+
+@poses
+@assemblies
+def test_the_axes_turned_into_the_paper_stay_with_their_angles(angle: int, assembly: str):
+    """They are parallel to the vectors for which they serve, at their angles in space from OI."""
+    pose, here = motion(angle, assembly), sheet(angle, assembly)
+    views, polygon = here.panel("position"), here.panel("velocity")
+    i, at = pose.point("I").position, dot(views, "I.found")
+    for letter, ends in (("B", "23"), ("C", "43")):
+        shape = stroke(views, f"O{letter}.laid").shape
+        assert isinstance(shape, Curve)
+        outer, _, inner = shape.points
+        assert inner == 0 and abs(outer) == pytest.approx(1.0)
+        found = vector(polygon, f"{ends}.relative")
+        assert (outer * found.conjugate()).imag == pytest.approx(0.0, abs=1e-9 * abs(found))
+        arc, size = (
+            stroke(views, f"O{letter}.arc"),
+            math.degrees(math.acos(pose.point(letter).position @ i)),
+        )
+        assert isinstance(arc.shape, Arc) and abs(arc.shape.sweep) == pytest.approx(size, abs=1e-6)
+        turned = arc.shape.start + arc.shape.sweep
+        assert cmath.rect(1.0, math.radians(turned)) == pytest.approx(outer)
+        assert abs((at * cmath.rect(1.0, -math.radians(arc.shape.start))).imag) < 1e-9
+        assert arc.label == f"{size:.1f}°" or arc in views.zeros
