@@ -122,7 +122,12 @@ class TurnPanel:
             anchor = Anchor(((arrow, "start"), (arrow, "end"))) if arrow else name.anchor
             hung = anchor, solved.place(anchor)
             text = text_beside(*hung, runs, placed.centre, name.size, role, name.row)
-            sketch.add(None, Level.LABEL, 0, [*self._leader(name, hung[1], placed), text])
+            sketch.add(
+                None,
+                Level.LABEL,
+                0,
+                [*self._leader(name, self.dot(name, panel, phase), placed), text],
+            )
             sketch.obstacles.box(placed.box)
         return sketch
 

@@ -1,0 +1,101 @@
+"""Panels in motion: all of the velocity polygon is seen, and each letter is near its dot or led."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import pytest
+
+import vad
+from vad.plan.labels.obstacles import PIXEL
+from vad.plan.lettering.glyphs import typeset
+from vad.plan.marks import Lettering, Polyline
+from vad.plan.reach import corners
+from vad.plan.turn_board import TurnBoard
+from vad.plan.turn_panel import FAR
+
+pytestmark = pytest.mark.exhaustive
+
+CASES = {
+    **{name: vad.MECHANISMS[name]() for name in vad.MECHANISMS},
+    "shaper": vad.CrankSlottedLever(rod=100, ram_height=180),
+    "whitworth-ram": vad.Whitworth(rod=300),
+    "swing": vad.FourBar(crank=130),
+}
+PHASES = [number / 24 for number in range(24)]
+
+
+@cache
+def board(name: str, size: tuple[int, int] = (1280, 720)) -> TurnBoard:
+    return TurnBoard(vad.turn(CASES[name], size=size))
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
+@pytest.mark.parametrize("name", CASES)
+def test_the_velocity_polygon_never_leaves_its_panel(name: str, size: tuple[int, int]):
+    here = board(name, size)
+    panel = here.panels["velocity"]
+    for phase in PHASES:
+        pose = here.turn.at(phase).panel("velocity")
+        assert all(panel.room.holds(panel.scale(z), PIXEL) for z in corners(pose)), phase
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_letter_that_is_far_from_its_dot_is_led_to_it_and_none_is_pale(name: str):
+    here = board(name)
+    for panel in here.panels.values():
+        for phase in PHASES[::4]:
+            pose = here.turn.at(phase).panel(panel.picture.still.setting.panel.name)
+            shown = [m for item in panel.pose(pose, phase).items for m in item.marks]
+            assert all(mark.alpha == 1.0 for mark in shown if mark.role in ("letter", "tag"))
+            ends = [m.shape.pieces[0] for m in shown if m.role == "leader" and m.alpha == 1.0]
+            for label, placed in panel.labels(pose, phase):
+                away = panel.dot(label, pose, phase) - placed.centre
+                aside = max(abs(away.real) - placed.wide / 2, 0.0)
+                above = max(abs(away.imag) - placed.high / 2, 0.0)
+                gap = math.hypot(aside, above) - panel.picture.radius
+                if label.vector or gap < FAR:
+                    continue
+                dot = panel.dot(label, pose, phase)
+                assert any(abs(end - dot) < panel.picture.radius + 5 * PIXEL for _, end in ends)
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (960, 720), (720, 1280)])
+@pytest.mark.parametrize("name", ["shaper", "hooke-joint", "slider-crank"])
+def test_headings_have_one_size_on_a_page_and_values_too(name: str, size: tuple[int, int]):
+    shown = board(name, size).shown(0)
+    for ending in (" head", " curve"):
+        sizes = {
+            round(mark.shape.size, 9)
+            for item in shown
+            if item.region.endswith(ending)
+            for mark in item.marks
+            if mark.role in ("words", "term") and isinstance(mark.shape, Lettering)
+        }
+        assert len(sizes) == 1, (ending, sizes)
+
+
+def test_a_leader_begins_beside_its_letters():
+    here = board("scotch-yoke")
+    led = 0
+    for panel in here.panels.values():
+        for phase in PHASES:
+            pose = here.turn.at(phase).panel(panel.picture.still.setting.panel.name)
+            shown = [m for item in panel.pose(pose, phase).items for m in item.marks]
+            texts = [m.shape for m in shown if isinstance(m.shape, Lettering)]
+            for mark in shown:
+                if mark.role == "leader":
+                    assert isinstance(mark.shape, Polyline)
+                    led += 1
+                    start = mark.shape.pieces[0][0]
+                    assert min(_apart(start, text) for text in texts) < 8 * PIXEL
+    assert led
+
+
+def _apart(point: complex, text: Lettering) -> float:
+    ink = typeset(text.runs)
+    low = text.at + text.size * complex(ink.left, ink.bottom)
+    high = text.at + text.size * complex(ink.right, ink.top)
+    aside = max(low.real - point.real, point.real - high.real, 0.0)
+    return math.hypot(aside, max(low.imag - point.imag, point.imag - high.imag, 0.0))
