@@ -45,6 +45,7 @@ from vad.plan.page.table import heights
 from vad.plan.pictures import sketched
 from vad.plan.pictures.flights import turned_polygons
 from vad.plan.pictures.found import found_later
+from vad.plan.pictures.senses import found_senses
 from vad.plan.pictures.views import folds
 from vad.plan.reach import corners
 from vad.plan.scale import Scale, is_tall
@@ -196,6 +197,7 @@ def pictures(sketches: Mapping[str, Sketch], apart: bool = False) -> Iterator[It
     ``apart`` says whether panels are pictures of their own, which nothing can leave.
     """
     yield from found_later((item for each in sketches.values() for item in each.items), sketches)
+    yield from found_senses(sketches)
     yield from lights(sketches)
     yield from folds(sketches)
     yield from turned_polygons(sketches, apart)

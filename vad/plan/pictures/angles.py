@@ -181,10 +181,21 @@ def add_free_sense(sketch: Sketch, index: int | None, angle: Stroke) -> None:
     omega, shape = sketch.setting.sheet.driver.omega, angle.shape
     if omega and index is not None and isinstance(shape, Arc):
         crank, sense = shape.start + shape.sweep, math.copysign(1.0, omega)
-        place = free_place(sketch.obstacles, sketch.scale(shape.centre), crank, sense)
+        name = rate_of(sketch)
+        place = free_place(sketch.obstacles, sketch.scale(shape.centre), crank, sense, name)
         if place:
             add_sense(sketch, index, angle, place)
             block_sense(sketch, angle, place)
+
+
+def rate_of(sketch: Sketch) -> str:
+    """Return the symbol of the given ω, ω₂; in a still with that of the given α in its sense."""
+    sheet = sketch.setting.sheet
+    rows = [row for row in sheet.rows if row.key == sheet.driver.row]
+    panels = ("velocity",) if sketch.finished else ("velocity", "acceleration")
+    cells = [row.cells[panel][0] for row in rows for panel in panels if row.cells.get(panel)]
+    alike = [cell.symbol for cell in cells if cell.given and cell.value * sheet.driver.omega > 0.0]
+    return ", ".join(alike) or "ω"
 
 
 def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlace) -> None:
@@ -195,7 +206,8 @@ def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlac
     centre, row = Anchor.of(angle.name, "centre"), setting.row(setting.panel.strokes[index].link)
     sense = driver.omega / abs(driver.omega)  # no number at rest: then nothing of it is anywhere
     at, sweep = sketch.solved.place(centre) * abs(sense), place.span * sense
-    letter, runs = place.letter(at), symbols("ω")
+    name = rate_of(sketch)
+    letter, runs = place.letter(at, name), symbols(name)
     bow, head = curved_arrow(place.radius, place.middle, sweep)
     arrow = [
         Hung(Arch(centre, bow.radius, bow.start, bow.sweep), "sense", row),
@@ -205,7 +217,7 @@ def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlac
     marks = [mark for mark in posed if mark]
     marks.append(text_beside(centre, at, runs, letter.centre, SIZE, "tag", row))
     sketch.add(setting.panel.strokes[index], Level.LABEL, setting.after(index), marks)
-    sketch.tags.append(Tag("ω", letter.box))
+    sketch.tags.append(Tag(name, letter.box))
     sketch.obstacles.box(letter.box)
 
 

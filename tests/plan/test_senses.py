@@ -1,0 +1,102 @@
+"""The arc arrows of ω and α on the mechanism: each in its sense, with its stroke, on nothing."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import pytest
+
+import vad
+from vad.files.examples import example_path
+from vad.plan.board import Plan, plan
+from vad.plan.format import screen
+from vad.plan.items import FOREVER, Item
+from vad.plan.lettering.runs import plain
+from vad.plan.marks import Bow, Lettering
+from vad.plan.pictures.senses import found_senses
+from vad.plan.problem_sheet import blank_panels, problem
+from vad.strokes.reveals import measurer
+
+KEY = 0.058
+#: In these every rate has room at 16:9.
+ROOMY = ["four-bar", "slider-crank", "crank-slotted-lever", "whitworth", "gate-actuator"]
+
+
+def drawn(mechanism, size=(1280, 720), **inputs) -> Plan:
+    sheet = vad.draw(vad.solve(mechanism, **inputs))
+    return plan(sheet, screen(size), KEY)
+
+
+def arrows(board: Plan) -> list[tuple[list[str], float, Item]]:
+    """Return the arrows of found rates: their names, the sign of the sweep, and the item."""
+    found: list[tuple[list[str], float, Item]] = []
+    for item in found_senses_of(board):
+        [text] = [mark.shape for mark in item.marks if isinstance(mark.shape, Lettering)]
+        bows = [mark.shape for mark in item.marks if isinstance(mark.shape, Bow)]
+        if bows:
+            found.append(([], bows[0].sweep, item))
+        found[-1][0].append(plain(text.runs).removeprefix(", "))
+    return found
+
+
+def found_senses_of(board: Plan) -> list[Item]:
+    shown = [item for item in board.items if item.region == "position" and item.until == FOREVER]
+    tags = [
+        item
+        for item in shown
+        if any(isinstance(m.shape, Lettering) and m.role == "tag" for m in item.marks)
+    ]
+    return [item for item in tags if not item.stroke.startswith("position:")]
+
+
+@pytest.mark.exhaustive(3)
+@pytest.mark.parametrize("angle", [0, 35, 100, 160, 250, 310])
+@pytest.mark.parametrize("name", ROOMY)
+def test_each_rate_has_its_arrow_in_its_sense(name, angle):
+    inputs = {"angle": angle, "alpha": -7.0} if name != "gate-actuator" else {"acceleration": 0.1}
+    options = {"rod": 300} if name == "whitworth" else {}
+    board = drawn(vad.MECHANISMS[name](**options), **inputs)
+    senses = {symbol: sweep for names, sweep, _ in arrows(board) for symbol in names}
+    for row in board.sheet.rows:
+        for panel in ("velocity", "acceleration"):
+            cell, *_ = row.cells[panel]
+            if cell.symbol[0] in "ωα" and cell.value and not (cell.given and panel == "velocity"):
+                assert cell.value * senses[cell.symbol] > 0.0, (cell, senses)
+
+
+@pytest.mark.exhaustive(3)
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
+@pytest.mark.parametrize("name", ["watt-1", "shaper", "jansen-leg", "atkinson-engine"])
+def test_no_arrow_lies_on_a_letter_and_no_name_on_another(name, size):
+    board = drawn(vad.load(example_path(name))(), size)
+    sketch = board.sketches["position"]
+    boxes = [tag.box for tag in sketch.tags]
+    for one, other in combinations(boxes, 2):
+        apart = one.right < other.left or other.right < one.left
+        assert apart or one.top < other.bottom or other.top < one.bottom
+    for _, _, item in arrows(board):
+        [bow] = [mark.shape for mark in item.marks if isinstance(mark.shape, Bow)]
+        assert not any(box.holds(point) for box in boxes for point in bow.line())
+        assert all(sketch.setting.room.holds(point, 0.001) for point in bow.line())
+
+
+def test_an_arrow_comes_with_the_stroke_that_finds_it_and_not_on_a_problem():
+    board = drawn(vad.FourBar(), alpha=20)
+    sheet = board.sheet
+    [row] = [row for row in sheet.rows if row.key == "rocker"]
+    found = measurer(sheet, sheet.panel("velocity"), row)
+    assert found
+    setting = board.sketches["velocity"].setting
+    [item] = [item for names, _, item in arrows(board) if row.cells["velocity"][0].symbol in names]
+    assert item.stroke == f"velocity:{found[1].name}"
+    assert item.since == setting.after(setting.panel.number(found[1].name))
+    blank = problem(board, blank_panels(sheet, ("velocity", "acceleration")), KEY)
+    assert arrows(blank) == []
+    tags = [m.shape for i in blank.items for m in i.marks if i.region == "position"]
+    said = [plain(each.runs) for each in tags if isinstance(each, Lettering)]
+    assert "ω₂, α₂" in said  # what is given stays
+
+
+def test_nothing_turns_where_the_driver_rests():
+    board = drawn(vad.FourBar(), omega=0.0)
+    assert list(found_senses(board.sketches)) == []

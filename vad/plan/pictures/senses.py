@@ -1,0 +1,234 @@
+"""The senses of ω and α of each link: small arc arrows on the mechanism, in the link's ink.
+
+Each comes with the stroke of a polygon that finds it, and stays.  What turns faster has one arrow
+for both, "ω₃, α₃"; where α is against ω, each has its own.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from vad.plan.geometry import direction_of
+from vad.plan.items import FOREVER, Item, Level, Span
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
+from vad.plan.labels.vertices import text_at
+from vad.plan.lettering.glyphs import ink_size, width
+from vad.plan.lettering.runs import roman, symbols
+from vad.plan.marks import Bow, Lettering, Mark
+from vad.plan.pictures.angles import sense_arrow
+from vad.plan.sketch import Sketch, Tag
+from vad.strokes.diagram import ACCELERATION, VELOCITY
+from vad.strokes.reveals import measurer
+from vad.strokes.sheet import Arrow, Cell, Row
+
+#: Radius and span of an arrow, the best first.
+SIZES = (
+    (0.094, 58.0),
+    (0.078, 62.0),
+    (0.064, 68.0),
+    (0.110, 46.0),
+    (0.052, 72.0),
+    (0.130, 38.0),
+    (0.040, 84.0),
+    (0.155, 32.0),
+)
+#: From the link to the middle of the arrow, in degrees; at 0 the arrow runs across its link.
+AWAY = tuple(sorted(range(-180, 180, 15), key=abs))
+LETTER = 0.030
+#: From the arrow to its name, and to other strokes.
+NAMED, CLEAR = 0.007, 0.007
+#: A rate below this share of the largest one has no sense.
+STILL = 1e-9
+#: What lies so near the axis of a link belongs to it.
+_OWN = 0.004
+_UNITS = {order.panel: order.unit for order in (VELOCITY, ACCELERATION)}
+
+
+@dataclass(frozen=True, slots=True)
+class Sense:
+    """One arrow: its sign, and what it names, each with its stroke and the beat of that."""
+
+    sign: float
+    names: tuple[tuple[str, str, int], ...]
+
+    @property
+    def text(self) -> str:
+        """What stands beside it."""
+        return ", ".join(symbol for symbol, *_ in self.names)
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    """Where an arrow stands: its centre, radius, span and middle, and its name."""
+
+    centre: complex
+    radius: float
+    span: float
+    middle: float
+    name: complex
+
+    def line(self) -> list[complex]:
+        """Return points along the arrow."""
+        return Bow(self.centre, self.radius, self.middle - self.span / 2, self.span).line()
+
+
+def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    """Yield the arrows of all rates that are not given, and of the given α."""
+    for sketch in sketches.values():
+        panel = sketch.setting.panel
+        if panel.picture != "skeleton":
+            continue
+        rows = [row for row in sketch.setting.sheet.rows if _bars(sketch, row)]
+        for row in rows:
+            for sense in senses_of(sketches, row):
+                yield from _arrow(sketch, row, sense)
+
+
+def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
+    """Return the arrows of a row: one where ω and α have the same sense, and two else."""
+    signs: dict[float, list[tuple[str, str, int]]] = {}
+    for name, unit in _UNITS.items():
+        sketch = sketches.get(name)
+        cell = _turning(row.cells.get(name, ()), unit)
+        if not sketch or not cell or abs(cell.value) <= STILL * _largest(sketch, name):
+            continue
+        setting = sketch.setting
+        if cell.given:
+            if cell.symbol in _shown(sketches):
+                continue  # its arrow stands there already
+            by, since = "", 0
+        else:
+            found = measurer(setting.sheet, setting.panel, row)
+            if found is None:
+                continue
+            other, stroke = found
+            beats = sketches[other.name].setting
+            by, since = other.full(stroke.name), beats.after(other.number(stroke.name))
+        signs.setdefault(math.copysign(1.0, cell.value), []).append((cell.symbol, by, since))
+    return [Sense(sign, tuple(names)) for sign, names in signs.items()]
+
+
+def _shown(sketches: Mapping[str, Sketch]) -> set[str]:
+    """Return the symbols that stand on the mechanism already: those of what is given."""
+    tags = (tag.text for each in sketches.values() for tag in each.tags)
+    return {symbol for text in tags for symbol in text.split(", ")}
+
+
+def _turning(cells: Sequence[Cell], unit: str) -> Cell | None:
+    return cells[0] if cells and cells[0].unit == unit else None
+
+
+def _largest(sketch: Sketch, panel: str) -> float:
+    cells = (row.cells.get(panel, ()) for row in sketch.setting.sheet.rows)
+    return max((abs(each[0].value) for each in cells if _turning(each, _UNITS[panel])), default=0.0)
+
+
+def _bars(sketch: Sketch, row: Row) -> list[tuple[complex, complex]]:
+    """Return the bars of a link on the page, those between its own letters first."""
+    place = sketch.scale
+    bars = [
+        (stroke.label != row.letters, place(stroke.shape.start), place(stroke.shape.end))
+        for stroke in sketch.setting.panel.strokes
+        if stroke.link == row.key and stroke.component == "link"
+        if isinstance(stroke.shape, Arrow) and stroke.shape.start != stroke.shape.end
+    ]
+    return [(start, end) for _, start, end in sorted(bars, key=lambda bar: bar[0])]
+
+
+def _arrow(sketch: Sketch, row: Row, sense: Sense) -> Iterator[Item]:
+    """Yield an arrow, if there is a place for it, and the names that come to it."""
+    panel, number = sketch.setting.panel, sketch.setting.row(row.key)
+    place = _place(sketch.obstacles, _bars(sketch, row), sense)
+    if place is None:
+        return
+    runs = symbols(sense.text)
+    wide, high = ink_size(runs, LETTER)
+    box = Placed(place.name, wide, high).box
+    sketch.tags.append(Tag(sense.text, box))
+    sketch.obstacles.box(box)
+    sketch.obstacles.line(place.line(), 2.0 * PIXEL)
+    sweep = place.span * sense.sign
+    arrow = sense_arrow(place.centre, place.radius, place.middle, sweep, number, size=0.8)
+    text = text_at(runs, runs, place.name, LETTER, "tag", number).shape
+    assert isinstance(text, Lettering)
+    x = 0.0
+    for count, (symbol, by, since) in enumerate(sense.names):
+        said = (*(roman(", ") if count else ()), *symbols(symbol))
+        name = Mark(Lettering(said, text.at + x, LETTER), "tag", number)
+        x += width(said, LETTER)
+        marks = (name,) if count else (*arrow, name)
+        yield Item(by, panel.column, Level.LABEL, marks, since, FOREVER)
+
+
+def _place(
+    obstacles: Obstacles, bars: Sequence[tuple[complex, complex]], sense: Sense
+) -> _Place | None:
+    """Return the nearest place that meets nothing but the link itself; None where none is free."""
+    others = Obstacles(
+        obstacles.edge,
+        [line for line in obstacles.lines if not any(_along(line, bar) for bar in bars)],
+        obstacles.boxes,
+    )
+    wide, high = ink_size(symbols(sense.text), LETTER)
+    arcs = list(_arcs(bars, sense.sign))
+    lines = [Bow(at, radius, middle - span / 2, span).line() for at, radius, span, middle in arcs]
+    points = [point for line in lines for point in line]
+    ends = list(itertools.accumulate(map(len, lines), initial=0))
+    free = others.free(points, 0.0, 0.0, CLEAR)
+    for (at, radius, span, middle), line, first, last in zip(
+        arcs, lines, ends, ends[1:], strict=False
+    ):
+        if not free[first:last].all():
+            continue
+        spots = _names(at, radius, span, middle, wide, high, sense.sign)
+        for spot, clear in zip(
+            spots, obstacles.free(spots, wide, high, CLEARANCE, APART), strict=True
+        ):
+            box = Placed(spot, wide + 0.006, high + 0.006).box
+            if clear and not any(box.holds(point, 0.0) for point in line):
+                return _Place(at, radius, span, middle, spot)
+    return None
+
+
+def _arcs(
+    bars: Sequence[tuple[complex, complex]], sign: float
+) -> Iterator[tuple[complex, float, float, float]]:
+    """Yield places of arrows: centre, radius, span and middle, those on the link first."""
+    for away, (radius, span), (start, end) in itertools.product(AWAY, SIZES, bars):
+        way = direction_of(start, end)
+        for at, ahead in ((start, way), (end, -way)):
+            if radius < 0.9 * abs(end - start) or abs(away) > 60:
+                yield (
+                    at,
+                    radius,
+                    span,
+                    math.degrees(math.atan2(ahead.imag, ahead.real)) + sign * away,
+                )
+
+
+def _names(
+    at: complex, radius: float, span: float, middle: float, wide: float, high: float, sign: float
+) -> list[complex]:
+    """Return places of a name: outside of the arrow's middle and of its tail, then inside."""
+    found = []
+    for turn, side in ((0.0, 1), (-0.4, 1), (0.4, 1), (0.0, -1), (-0.4, -1)):
+        out = complex(math.cos(a := math.radians(middle + sign * turn * span)), math.sin(a))
+        found.append(beside(at + radius * out, side * out, NAMED, wide, high))
+    return found
+
+
+def _along(line: tuple[complex, complex, float, Span], bar: tuple[complex, complex]) -> bool:
+    """Tell whether an obstacle lies along a bar; its joints do not."""
+    start, end = bar
+    way, long = direction_of(start, end), abs(end - start)
+    if line[0] == line[1]:
+        return False
+    for point in line[:2]:
+        off = (point - start) * way.conjugate()
+        if abs(off.imag) > _OWN or not -_OWN <= off.real <= long + _OWN:
+            return False
+    return True
