@@ -22,6 +22,7 @@ from vad.balancing.shaft import Balanced, balanced, unknowns
 from vad.errors import InputError, UsageError, quoted
 from vad.files.description import Values
 from vad.files.loading import WrittenMechanism, class_of, declared
+from vad.files.names import own_names
 from vad.files.rotors import (
     AS_CYLINDER,
     AS_MASS,
@@ -269,6 +270,7 @@ def rotor_class(text: str) -> type[RotorMechanism]:
         diagrams=rotor.diagrams,
         usual_diagrams=rotor.usual,
         turning_diagrams=rotor.turning,
+        own_names=own_names(source, rotor.title, rotor.parameters),
     )
     with source.at("", ""):
         made()

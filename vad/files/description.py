@@ -365,6 +365,8 @@ class Description:
         shape.
     burden
         Loads, masses, gravity and friction.
+    names
+        The title and names in other languages, by the codes of these.
     """
 
     title: str
@@ -378,6 +380,7 @@ class Description:
     assembly: Mapping[str, Place]
     pose: Mapping[str, Cartesian]
     burden: BurdenEntry
+    names: Mapping[str, Mapping[str, str]]
 
     @property
     def points(self) -> tuple[str, ...]:

@@ -98,6 +98,7 @@ def mechanism(
     masses: FileTable | None = None,
     friction: FileTable | None = None,
     gravity: float | Sequence[float] | str | None = None,
+    names: FileTable | None = None,
     title: str = "Mechanism",
     unit: str = "mm",
     about: str = "",
@@ -111,6 +112,8 @@ def mechanism(
         The tables of a file, as dictionaries.
     gravity
         As in a file: a number along -y, or two.
+    names
+        The title and the names of links and slides in other languages, by their codes.
     title, unit, about, source
         The words of a file.
 
@@ -141,6 +144,7 @@ def mechanism(
         "loads": loads,
         "masses": masses,
         "friction": friction,
+        "names": names,
     }
     words: dict[str, Any] = {"title": title, "unit": unit, "about": about, "source": source}
     if gravity is not None:
@@ -383,6 +387,7 @@ def _made(written: Written, assembly: Assembly) -> type[WrittenMechanism]:
         links={each.name: "".join(each.base) for each in description.links.values()},
         slides=slides | cylinders,
         inputs=description.driver.inputs,
+        own_names=description.names,
     )
     return made
 

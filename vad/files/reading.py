@@ -28,6 +28,7 @@ from vad.files.description import (
 )
 from vad.files.links import letters, link
 from vad.files.measures import lengths
+from vad.files.names import base_name, own_names
 from vad.files.places import HINT, Place, place_of
 from vad.files.tables import Numbers, Source, is_zero
 from vad.units import check_length_unit, number_of
@@ -62,8 +63,9 @@ def describe(source: Source) -> Description:
     bound = guides(numbers, fixed, links)
     pose = _pose(numbers, fixed)
     burden = read_burden(numbers)
+    title = str(words.get("title", source.name.removesuffix(".toml")))
     description = Description(
-        title=str(words.get("title", source.name.removesuffix(".toml"))),
+        title=title,
         unit=unit,
         about=str(words.get("about", "")),
         parameters=_measured(numbers),
@@ -74,9 +76,18 @@ def describe(source: Source) -> Description:
         assembly=_assembly(source),
         pose=pose,
         burden=burden,
+        names=own_names(source, title, _named(numbers, links, bound)),
     )
     _check_points(source, description)
     return description
+
+
+def _named(
+    numbers: Numbers, links: Mapping[str, LinkEntry], bound: Mapping[str, GuideEntry]
+) -> tuple[str, ...]:
+    """Return what can have names of its own in other languages."""
+    slides = (base_name(guide.slide) for guide in bound.values())
+    return (*links, *slides, *numbers.found)
 
 
 def _measured(numbers: Numbers) -> dict[str, Parameter]:

@@ -202,7 +202,7 @@ def read_rotor(source: Source) -> Rotor:
         raise source.error("", "unit", f"unit: {error}", error.hint) from None
     reader = _Reader(source, unit)
     for table in source.tables:
-        if table and table not in (*ROTORS, MASSES, "dimensions"):
+        if table and table not in (*ROTORS, MASSES, "dimensions", "names"):
             message = f"[{table}] does not go with [{reader.kind}]"
             raise source.error(table, "", message, f"leave out [{table}]")
     return reader.rotor()

@@ -32,7 +32,7 @@ from vad.units import number_of
 WORDS = ("title", "unit", "about", "source")
 TABLES = (
     *("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose"),
-    *("loads", "masses", "friction", "exercise", "answers"),
+    *("loads", "masses", "friction", "exercise", "answers", "names"),
 )
 #: The tables of a file that describes a shaft or an engine.
 ROTORS = ("shaft", "engine", "cylinders", "locomotive")

@@ -157,7 +157,10 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
         mechanism) its label and the choices, each with name and label, the first of them the
         default.
     """
-    say, known = Language(language), {each.name: each for each in dataclasses.fields(kind)}
+    say, known = (
+        Language(language, kind.own_names),
+        {each.name: each for each in dataclasses.fields(kind)},
+    )
     unit = str(known["length_unit"].default)
     numbers = [each for each in known.values() if each.metadata["quantity"] in NUMBERS]
     lengths: list[Any] = [e.default for e in numbers if e.metadata["quantity"] == "length"]

@@ -118,7 +118,7 @@ def _value(stroke: Stroke) -> Figure | None:
 
 
 def _said(sheet: Sheet, phrase: str, parts: dict[str, SentencePart] | None = None) -> Sentence:
-    return Sentence(phrase, parts or {}, voice=Voice(sheet.language, sheet.notation))
+    return Sentence(phrase, parts or {}, voice=Voice(sheet.language, sheet.notation, sheet.names))
 
 
 def _output(sheet: Sheet) -> Row | None:

@@ -30,7 +30,7 @@ def answer_of_balancing(sheet: Sheet) -> Sentence | None:
     None for another sheet, and for one on which nothing was to be found.
     """
     voice, between = (
-        Voice(sheet.language, sheet.notation),
+        Voice(sheet.language, sheet.notation, sheet.names),
         Language(sheet.language).say("answer next"),
     )
     largest = tuple(_largest(sheet, voice))

@@ -361,7 +361,10 @@ def _described(
         "rates": [outputs.of(each) for each in rates],
         "solved": template(found, board.mechanism.parameters(), outputs.of),
         "dimensions": list(dimensions(board, names)),
-        "names": {name: code.name(name) for name in board.mechanism.dimensions()},
+        "names": {
+            name: Language(sheet.language, sheet.names).name(name)
+            for name in board.mechanism.dimensions()
+        },
         "turns": kind,
         "turn": said[kind],
         "symbols": [

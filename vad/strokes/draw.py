@@ -23,7 +23,7 @@ from vad.strokes.notation import Notation, in_metres
 from vad.strokes.pin_rows import with_pins
 from vad.strokes.polygon import polygon
 from vad.strokes.scene import Scene
-from vad.strokes.sentences import named
+from vad.strokes.sentences import Voice, called
 from vad.strokes.sheet import (
     TWIST,
     Arrow,
@@ -208,6 +208,7 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
         panels=tuple(finished(panel, scene.voice) for panel in drawn),
         language=language,
         notation=notation,
+        names=mechanism.own_names,
         driver=driver_of(scene.driver.name, scene.driver.kind == "angle", clean, drawn),
         source=None
         if mechanism.is_rotor
@@ -285,6 +286,7 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
     the last ones.
     """
     plain, unit = type(mechanism), mechanism.length_unit
+    voice = Voice(language, names=mechanism.own_names)
     shown: list[tuple[str, float, str]] = []
     values = mechanism.parameters()
     for name, value in values.items():
@@ -294,10 +296,10 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
         if metadata["quantity"] not in DIMENSIONS:
             continue  # it belongs to a load or a mass
         if metadata["quantity"] != "angle":
-            called = "crank" if mechanism.is_rotor and name == "radius" else name
+            key = "crank" if mechanism.is_rotor and name == "radius" else name
             shown.append(
                 (
-                    named(called, language),
+                    called(key, voice),
                     value,
                     unit if metadata.get("measures", metadata["quantity"]) == "length" else "",
                 )
@@ -307,7 +309,7 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
             continue
         usual = value == plain.__dataclass_fields__[name].default and not value % 90.0
         if "between" in metadata or (value and not usual):
-            shown.append((named(name, language), value, "°"))
+            shown.append((called(name, voice), value, "°"))
     for name, (link, distance, *angle) in mechanism.points.items():
         tail, head = points_of(mechanism.links.get(link) or _rod_ends(mechanism, link))
         shown.append((tail + name, distance, unit))

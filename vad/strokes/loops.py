@@ -83,7 +83,7 @@ def _chain(scene: Scene, outline: _Outline, order: int) -> Chain[StepVector]:
 @lru_cache(maxsize=256)
 def _outlines(members: Members, code: str, order: int) -> list[tuple[_Outline, _Outline]]:
     """Return both sides of the equation of every loop in a language."""
-    voice = Voice(code)
+    voice = Voice(code, names=members.names)
     return [
         (
             _outline(members, voice, loop.first, unknowns, order),

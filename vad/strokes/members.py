@@ -82,8 +82,8 @@ class Members:
 
     Attributes
     ----------
-    unit
-        The unit of lengths.
+    unit, names
+        The unit of lengths, and the names that the mechanism brings in other languages.
     frame, linkage
         What is solved.
     driver
@@ -100,7 +100,7 @@ class Members:
 
     def __init__(self, motion: Motion) -> None:
         _check_drawable(motion.linkage)
-        self.unit = motion.mechanism.length_unit
+        self.unit, self.names = motion.mechanism.length_unit, motion.mechanism.own_names
         self.frame, self.linkage = motion.frame, motion.linkage
         self.driver = self.linkage.driver
         self.points, self.links, self.slides = motion.points, motion.links, motion.slides

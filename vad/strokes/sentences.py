@@ -18,7 +18,7 @@ from typing import Any, TypeAlias
 from vad.errors import InputError
 from vad.strokes.arithmetic import Calculation, Figure
 from vad.strokes.notation import Notation
-from vad.words import Gap, Language, TextPiece, gaps, text_of
+from vad.words import Gap, Language, Names, TextPiece, gaps, text_of
 from vad.written import MINUS, plain, squared, typeset
 
 
@@ -75,11 +75,12 @@ class Voice:
 
     language: str = "en"
     notation: Notation = field(default_factory=Notation)
+    names: Names = field(default_factory=dict)
 
     def pieces(self, part: SentencePart) -> tuple[TextPiece, ...]:
         """Return what a part says, as pieces."""
         found: list[TextPiece] = []
-        _add(found, part, self, Language(self.language))
+        _add(found, part, self, Language(self.language, self.names))
         return tuple(found)
 
     def text(self, part: SentencePart) -> str:
@@ -174,6 +175,12 @@ class Text(str):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Text.kept, (str(self), self.said, self.pieces)
+
+
+def called(name: str, voice: Voice) -> Text:
+    """Return the word for a name, as titles have it: that of the mechanism, or of the language."""
+    own = any(name in names for names in voice.names.values())
+    return Text.of(Noun(name, generic=""), voice) if own else named(name, voice.language)
 
 
 @lru_cache(maxsize=1024)
@@ -285,7 +292,8 @@ class CaptionedMotion:
 
     def __post_init__(self) -> None:
         """Make the voice, in which numbers have their usual digits at first."""
-        voice = Voice(self.language.code, Notation(self.language.point))
+        own = self.motion.mechanism.own_names
+        voice = Voice(self.language.code, Notation(self.language.point), own)
         object.__setattr__(self, "voice", voice)
 
     def say(self, phrase: str, *calculations: Calculation, **parts: SentencePart) -> Sentence:
@@ -307,4 +315,4 @@ class CaptionedMotion:
 
     def name(self, name: str) -> Text:
         """Return the word of its language for a name."""
-        return named(name, self.language.code)
+        return called(name, self.voice)

@@ -344,8 +344,8 @@ class Panel:
     polygon.  ``below`` is a second polygon under the first, drawn after it, in a unit of its own;
     it is called ``velocity.below``.  ``bodies`` are those of a mechanism, ``coincident`` the points
     that have one place.  So many strokes as ``given`` says, the first, are there when the panel is
-    begun.  From the one that ``resumes`` names on, strokes are told after the polygon of the
-    accelerations, if there is one.  ``turned`` are the polygons that it holds upon its mechanism.
+    begun.  From the one that ``resumes`` names on, strokes are told after the accelerations, if
+    there are any.  ``turned`` are the polygons that it holds upon its mechanism.
     """
 
     name: str
@@ -453,12 +453,11 @@ class Row:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Sheet(Displayed):
-    """Everything that is drawn for one pose of one mechanism: pure data, in drawing order.
+    """Everything that is drawn for one pose, in drawing order.
 
     ``parameters`` are (name, value, unit) in the title, where a `TWIST` joins the length before it;
     ``rows`` are the links, then the slides: their order decides their colours.  ``notation`` says
-    how the numbers in these data are written, ``driver`` what drives the mechanism.  ``source`` is
-    what was drawn; None for a sheet from JSON.  The ``subtitle`` stands below the title.
+    how numbers are written, ``names`` are those of a file in languages; no ``source`` from JSON.
     """
 
     mechanism: str
@@ -468,6 +467,7 @@ class Sheet(Displayed):
     panels: tuple[Panel, ...]
     language: str = "en"
     notation: Notation = field(default_factory=Notation)
+    names: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
     driver: Driver = Driver()
     source: Source | None = field(default=None, compare=False)
     subtitle: str = ""

@@ -30,7 +30,7 @@ def translated(sheet: Sheet, code: str) -> Sheet:
     >>> sheet.title, sheet.panel("velocity").strokes[4].caption
     ('Gelenkviereck', 'c ist der Schnittpunkt der Geraden.')
     """
-    voice = Voice(code, replace(sheet.notation, point=Language(code).point))
+    voice = Voice(code, replace(sheet.notation, point=Language(code).point), sheet.names)
     with_words = said_by(sheet, lambda words: _in_voice(words, voice))
     return replace(with_words, language=code, notation=voice.notation)
 
@@ -40,7 +40,7 @@ def as_written(sheet: Sheet) -> Sheet:
 
     So a caption that somebody has edited in the file is kept as it is.
     """
-    voice = Voice(sheet.language, sheet.notation)
+    voice = Voice(sheet.language, sheet.notation, sheet.names)
 
     def say(words: str | Sentence) -> str | Sentence:
         if not isinstance(words, Text):

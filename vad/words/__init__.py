@@ -22,6 +22,10 @@ GROUP = "vad.languages"
 #: The language that has every phrase.
 ENGLISH = "en"
 
+#: Names by the codes of languages, and by what they name.
+Names = Mapping[str, Mapping[str, str]]
+NO_NAMES: Names = {}
+
 PieceKind = Literal["words", "symbol", "figure", "unit"]
 
 
@@ -98,6 +102,9 @@ class Language:
     ----------
     code
         Its two letters.
+    own
+        Names that a mechanism brings, by the codes of languages: "das Nebenpleuel" for
+        ``link_rod``.  An article says the gender.
 
     Attributes
     ----------
@@ -117,8 +124,10 @@ class Language:
     ('Kurbel', 'a und d')
     """
 
-    def __init__(self, code: str) -> None:
+    def __init__(self, code: str, own: Names = NO_NAMES) -> None:
         self.code = one_of_all("language", code, languages(), GROUP)
+        self.own = own
+        self._own = own.get(self.code, {}) if own else own
         self._tables = _tables(self.code)
         self.point = self._tables.point
 
@@ -137,11 +146,12 @@ class Language:
 
     def speaker(self, phrase: str) -> Language:
         """Return the language in which a phrase is said: this one, or English."""
-        return self if phrase in self._tables.phrases else Language(ENGLISH)
+        return self if phrase in self._tables.phrases else Language(ENGLISH, self.own)
 
     def name(self, name: str) -> str:
         """Return a name or title in this language, or as it is if no language has it."""
-        return self._tables.name(name)
+        own = self._own.get(name)
+        return self._tables.parted(own)[1] if isinstance(own, str) else self._tables.name(name)
 
     def noun(self, name: str, article: str = "", generic: str = "link") -> str:
         """Return a name as a sentence has it, with the article for which a phrase asks.
@@ -153,6 +163,9 @@ class Language:
         >>> Language("de").noun("crank", "des"), Language("de").noun("wing", "der")
         ('der Kurbel', 'das Glied wing')
         """
+        own = self._own.get(name)
+        if isinstance(own, str):
+            return self._tables.own_noun(own, article, generic)
         return self._tables.noun(name, article, generic)
 
     def page(self, table: str) -> Mapping[str, str]:
@@ -191,15 +204,38 @@ class _Tables:
 
     def _noun(self, name: str, article: str, generic: str) -> str:
         known = name in self._genders or not self._articles or not generic
-        said, rest = self.name(name), ""
-        if not known:
-            said, rest = self.name(generic), f" {said}"
-        forms = self._articles.get(self._genders.get(name if known else generic, ""), {})
+        gender = self._genders.get(name if known else generic, "")
+        if known:
+            return self._declined(self.name(name), gender, article)
+        return f"{self._declined(self.name(generic), gender, article)} {self.name(name)}"
+
+    def own_noun(self, own: str, article: str, generic: str) -> str:
+        """Return a name that a mechanism brings, as a sentence has it."""
+        gender, bare = self.parted(own)
+        if gender or not self._articles or not generic:
+            return self._declined(bare, gender, article)
+        first = self._genders.get(generic, "")
+        return f"{self._declined(self.name(generic), first, article)} {bare}"
+
+    def parted(self, own: str) -> tuple[str, str]:
+        """Return the gender that the article of a name says, empty without one, and the name.
+
+        The first form of each gender is the article as it stands before a subject.
+        """
+        for gender, forms in self._articles.items():
+            before, _, behind = next(iter(forms.values())).partition("{}")
+            if not behind and own.startswith(before) and len(own) > len(before):
+                return gender, own.removeprefix(before)
+        return "", own.removeprefix("the ") if not self._articles else own
+
+    def _declined(self, said: str, gender: str, article: str) -> str:
+        """Return a name with the article for which a sentence asks."""
+        forms = self._articles.get(gender, {})
         if article:
             said = forms.get(article.lower(), f"{article.lower()} {{}}").format(said)
         if article[:1].isupper():
             said = said[0].upper() + said[1:]
-        return said + rest
+        return said
 
     def _page(self, table: str) -> Mapping[str, str]:
         return {**_english(table), **_table(self._module, table)}

@@ -358,6 +358,7 @@ SHEET = record(
     parameters=Key(Form(_write_parameters, _read_parameters), beside=True),
     rows=many(ROW, FEWER),
     notation=optional(NOTATION, Notation()),
+    names=optional(by_name(by_name(TEXT)), {}),
     driver=optional(DRIVER),  # of an old file it is told from the strokes
     panels=by_attribute("name", PANEL),
 )
