@@ -23,7 +23,7 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Run
 from vad.strokes.sheet import Fold, Sheet
 from vad.style import style_names
-from vad.written import THIN_SPACE
+from vad.written import THIN_SPACE, with_unit
 
 SPACE = "{http://www.w3.org/2000/svg}"
 TEXTS = ("glyphs", "letters")
@@ -71,7 +71,7 @@ def test_it_says_what_it_shows(code: str) -> None:
     assert root.find(SPACE + "title").text.startswith(sheet.title)
     description = root.find(SPACE + "desc").text
     assert all(s.caption.rstrip(".") in description for p in sheet.panels for s in p.strokes)
-    assert "ω₃ = −2.3077 rad/s".replace(".", sheet.notation.point) in description
+    assert "ω₃ = −2.308 rad/s".replace(".", sheet.notation.point) in description
 
 
 @pytest.mark.parametrize("name", vad.MECHANISMS)
@@ -164,7 +164,7 @@ class TestLetters:
         lines = ["".join(each.itertext()) for each in root.iter(SPACE + "text")]
         for row in sheet.rows:
             for cells, cell in ((own, each) for own in row.cells.values() for each in own):
-                value = sheet.notation.quantity(cell.value, cell.unit, cell.given)
+                value = with_unit(*sheet.notation.cell(cell.value, cell.unit, cell.given))
                 if len(cells) > 1:  # where it is tight, their column has said the unit
                     value = value.partition(" ")[0]
                     assert any(value in line for line in lines), value

@@ -270,7 +270,13 @@ def test_the_arrow_of_omega_turns_with_the_driver(scene: str):
         for cell in row.cells["velocity"]
         if cell.given and cell.symbol == "ω₂"
     ]
-    arcs = [m for i in shown.items if i.region == "position" for m in i.marks if m.role == "sense"]
+    arcs = [
+        mark
+        for item in shown.items
+        if item.stroke.startswith("position:")
+        for mark in item.marks
+        if mark.role == "sense"
+    ]
     assert len(arcs) == len(given)
     for mark, omega in zip(arcs, given, strict=True):
         assert isinstance(mark.shape, Bow)
@@ -281,7 +287,8 @@ def test_the_arrow_of_omega_has_its_head_where_it_points():
     for omega in (10.0, -10.0):
         sheet = vad.draw(vad.solve(vad.FourBar(), omega=omega))
         shown = plan(sheet, screen((1280, 720)), KEY)
-        (item,) = [i for i in shown.items if any(m.role == "sense" for m in i.marks)]
+        driven = [item for item in shown.items if item.stroke.startswith("position:")]
+        (item,) = [item for item in driven if any(m.role == "sense" for m in item.marks)]
         bow = next(m.shape for m in item.marks if isinstance(m.shape, Bow))
         head = next(m.shape for m in item.marks if isinstance(m.shape, Polygon))
         tip = head.rings[0][0]

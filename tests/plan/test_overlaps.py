@@ -132,6 +132,8 @@ def test_letters_are_joined_where_points_are_equal(name: str):
                         for letter in stroke.label.split(","):
                             places.setdefault(letter.strip(), []).append(at)
             for tag in sketch.tags:
+                if tag.text[0] in "ωα":
+                    continue  # two rates in one sense
                 first, *others = tag.text.split(", ")
                 for other in others:
                     near = min(abs(a - b) for a in places[first] for b in places[other])

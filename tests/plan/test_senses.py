@@ -44,7 +44,7 @@ def found_senses_of(board: Plan) -> list[Item]:
     tags = [
         item
         for item in shown
-        if any(isinstance(m.shape, Lettering) and m.role == "tag" for m in item.marks)
+        if any(isinstance(m.shape, Lettering) and m.role == "term" for m in item.marks)
     ]
     return [item for item in tags if not item.stroke.startswith("position:")]
 

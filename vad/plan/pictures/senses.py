@@ -21,7 +21,7 @@ from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Bow, Lettering, Mark
 from vad.plan.pictures.angles import sense_arrow
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.diagram import ACCELERATION, VELOCITY
+from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY
 from vad.strokes.reveals import measurer
 from vad.strokes.sheet import Arrow, Cell, Row
 
@@ -80,7 +80,7 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
     """Yield the arrows of all rates that are not given, and of the given α."""
     for sketch in sketches.values():
         panel = sketch.setting.panel
-        if panel.picture != "skeleton":
+        if panel.name != POSITION.panel or panel.picture != "skeleton":
             continue
         rows = [row for row in sketch.setting.sheet.rows if _bars(sketch, row)]
         for row in rows:
@@ -103,7 +103,7 @@ def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
             by, since = "", 0
         else:
             found = measurer(setting.sheet, setting.panel, row)
-            if found is None:
+            if found is None or found[0].name not in sketches:
                 continue
             other, stroke = found
             beats = sketches[other.name].setting
@@ -153,12 +153,12 @@ def _arrow(sketch: Sketch, row: Row, sense: Sense) -> Iterator[Item]:
     sketch.obstacles.line(place.line(), 2.0 * PIXEL)
     sweep = place.span * sense.sign
     arrow = sense_arrow(place.centre, place.radius, place.middle, sweep, number, size=0.8)
-    text = text_at(runs, runs, place.name, LETTER, "tag", number).shape
+    text = text_at(runs, runs, place.name, LETTER, "term", number).shape
     assert isinstance(text, Lettering)
     x = 0.0
     for count, (symbol, by, since) in enumerate(sense.names):
         said = (*(roman(", ") if count else ()), *symbols(symbol))
-        name = Mark(Lettering(said, text.at + x, LETTER), "tag", number)
+        name = Mark(Lettering(said, text.at + x, LETTER), "term", number)
         x += width(said, LETTER)
         marks = (name,) if count else (*arrow, name)
         yield Item(by, panel.column, Level.LABEL, marks, since, FOREVER)
@@ -182,14 +182,16 @@ def _place(
     for (at, radius, span, middle), line, first, last in zip(
         arcs, lines, ends, ends[1:], strict=False
     ):
-        if not free[first:last].all():
+        pairs = list(itertools.pairwise(line))
+        if not free[first:last].all() or not obstacles.clear_of_labels(pairs, CLEAR).all():
             continue
+        own = Obstacles(obstacles.edge)
+        own.line(line, 2.0 * PIXEL)
         spots = _names(at, radius, span, middle, wide, high, sense.sign)
         for spot, clear in zip(
             spots, obstacles.free(spots, wide, high, CLEARANCE, APART), strict=True
         ):
-            box = Placed(spot, wide + 0.006, high + 0.006).box
-            if clear and not any(box.holds(point, 0.0) for point in line):
+            if clear and own.free([spot], wide, high, 2.0 * PIXEL)[0]:
                 return _Place(at, radius, span, middle, spot)
     return None
 
