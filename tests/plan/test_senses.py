@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from itertools import combinations, starmap
 
 import pytest
 
 import vad
+from tests.plan.test_table import ink_box
 from vad.files.examples import example_path
 from vad.plan.board import Plan, plan
 from vad.plan.format import screen
+from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Item
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Bow, Lettering
@@ -70,7 +72,13 @@ def test_each_rate_has_its_arrow_in_its_sense(name, angle):
 def test_no_arrow_lies_on_a_letter_and_no_name_on_another(name, size):
     board = drawn(vad.load(example_path(name))(), size)
     sketch = board.sketches["position"]
-    boxes = [tag.box for tag in sketch.tags]
+    names = [
+        ink_box(mark.shape)
+        for item in found_senses_of(board)
+        for mark in item.marks
+        if isinstance(mark.shape, Lettering)
+    ]
+    boxes = [*(tag.box for tag in sketch.tags), *starmap(Rect, names)]
     for one, other in combinations(boxes, 2):
         apart = one.right < other.left or other.right < one.left
         assert apart or one.top < other.bottom or other.top < one.bottom

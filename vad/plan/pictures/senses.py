@@ -20,7 +20,7 @@ from vad.plan.lettering.glyphs import ink_size, width
 from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Bow, Lettering, Mark
 from vad.plan.pictures.angles import sense_arrow
-from vad.plan.sketch import Sketch, Tag
+from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY
 from vad.strokes.reveals import measurer
 from vad.strokes.sheet import Arrow, Cell, Row
@@ -82,10 +82,12 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
         panel = sketch.setting.panel
         if panel.name != POSITION.panel or panel.picture != "skeleton":
             continue
+        taken = sketch.obstacles
+        taken = Obstacles(taken.edge, [*taken.lines], [*taken.boxes])
         rows = [row for row in sketch.setting.sheet.rows if _bars(sketch, row)]
         for row in rows:
             for sense in senses_of(sketches, row):
-                yield from _arrow(sketch, row, sense)
+                yield from _arrow(sketch, taken, row, sense)
 
 
 def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
@@ -139,18 +141,16 @@ def _bars(sketch: Sketch, row: Row) -> list[tuple[complex, complex]]:
     return [(start, end) for _, start, end in sorted(bars, key=lambda bar: bar[0])]
 
 
-def _arrow(sketch: Sketch, row: Row, sense: Sense) -> Iterator[Item]:
+def _arrow(sketch: Sketch, taken: Obstacles, row: Row, sense: Sense) -> Iterator[Item]:
     """Yield an arrow, if there is a place for it, and the names that come to it."""
     panel, number = sketch.setting.panel, sketch.setting.row(row.key)
-    place = _place(sketch.obstacles, _bars(sketch, row), sense)
+    place = _place(taken, _bars(sketch, row), sense)
     if place is None:
         return
     runs = symbols(sense.text)
     wide, high = ink_size(runs, LETTER)
-    box = Placed(place.name, wide, high).box
-    sketch.tags.append(Tag(sense.text, box))
-    sketch.obstacles.box(box)
-    sketch.obstacles.line(place.line(), 2.0 * PIXEL)
+    taken.box(Placed(place.name, wide, high).box)
+    taken.line(place.line(), 2.0 * PIXEL)
     sweep = place.span * sense.sign
     arrow = sense_arrow(place.centre, place.radius, place.middle, sweep, number, size=0.8)
     text = text_at(runs, runs, place.name, LETTER, "term", number).shape
