@@ -223,7 +223,8 @@ class _Rows:
         names = max((width(entries.heading(row), SIZE) for row in rows), default=0.0)
         letters = max((width(symbols(row.letters), SIZE) for row in rows), default=0.0)
         ways = [(name, cells) for cells in (pair, either) for name in (names, letters)]
-        if not all(row.letters for row in rows):
+        known = {row.letters for row in rows}
+        if len(known) < len(rows) or "" in known:  # letters alone would name none of them
             ways = [(names, pair), (names, either)]
         fits = (way for way in ways if (before + sum(way)) * TIGHT <= inner)
         name, cells = next(fits, ways[-1])
