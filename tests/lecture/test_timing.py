@@ -14,9 +14,20 @@ import vad
 from vad.export.lesson_srt import cues
 from vad.files.examples import example_names, example_path
 from vad.lecture.lesson import Lesson, LessonStep
-from vad.lecture.pace import CLOSING, GLIDE, LEAST_REST, OPENING, SETTLE, SHEET, growth
+from vad.lecture.pace import (
+    AFTER_FLIGHT,
+    CLOSING,
+    GLIDE,
+    LEAST_REST,
+    OPENING,
+    PHASES,
+    SETTLE,
+    SHEET,
+    growth,
+)
 from vad.lecture.telling import beats, told_together
 from vad.strokes.sheet import Arrow, Dot, Fold, Kind, Panel, Sheet, Stroke
+from vad.strokes.travels import travels
 from vad.words import languages, text_of
 
 # Seconds that a stroke grows; a vector of no length takes the second, between them it is linear.
@@ -96,8 +107,8 @@ def test_a_calculation_is_said_in_three_beats(name: str, language: str):
 def test_the_frames_of_a_lesson_follow_its_pace(fps: float, speed: float):
     """Each step begins, is grown, has rested and ends on the frame nearest to its time."""
     sheet = vad.draw(vad.solve(vad.CrankSlottedLever()))
-    fine = vad.animate(sheet, fps=240)
-    lesson = vad.animate(sheet, fps=fps, speed=speed)
+    fine = vad.animate(sheet, fps=240, plain=True)
+    lesson = vad.animate(sheet, fps=fps, speed=speed, plain=True)
     assert lesson.opening == pytest.approx(OPENING / speed * fps, abs=0.5)
     seconds, frames = 0.0, 0
     for step, exact in zip(lesson.steps, fine.steps, strict=True):
@@ -120,6 +131,21 @@ def _grows(drawn: Stroke, step: LessonStep) -> float:
     arrows = (s.shape for s in step.panel.strokes if isinstance(s.shape, Arrow))
     longest = max(abs(each.end - each.start) for each in arrows)
     return short + (long - short) * abs(drawn.shape.end - drawn.shape.start) / longest
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "crank-slotted-lever"])
+def test_a_flight_takes_its_time_and_the_film_is_no_longer(name: str):
+    sheet = vad.draw(vad.solve(vad.MECHANISMS[name](), alpha=20))
+    film, plain = vad.animate(sheet, fps=240), vad.animate(sheet, fps=240, plain=True)
+    found = travels(sheet)
+    assert found
+    for step, drawn in zip(film.steps, plain.steps, strict=True):
+        travel = found.get(step.panel.full(step.stroke.name))
+        seconds = sum(PHASES[travel.kind]) if travel else drawn.grow / 240
+        assert step.grow / 240 == pytest.approx(seconds, abs=0.01)
+        assert step.hold / 240 >= (AFTER_FLIGHT - 0.01 if travel else 0.0)
+        assert step.pencil == pytest.approx(drawn.grow, abs=1)
+    assert film.duration <= 1.02 * plain.duration
 
 
 def test_strokes_that_need_few_words_are_told_together():

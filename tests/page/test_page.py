@@ -20,6 +20,7 @@ from vad.cli.run import run
 from vad.errors import UsageError
 from vad.files.examples import example_names, example_path
 from vad.page.document import document
+from vad.page.parts import parts
 from vad.page.spoken import spoken
 from vad.page.themed import CONTRAST, contrast, readable
 from vad.strokes.sentences import pieces_of
@@ -184,3 +185,17 @@ def test_a_chapter_begins_with_its_panel_and_is_as_long():
         (start, count, panel.title)
         for start, count, panel in zip(starts, counts, panels, strict=True)
     ]
+
+
+def test_a_pencil_draws_on_a_page_what_flies_in_a_film():
+    lesson = vad.animate(vad.draw(vad.solve(vad.Whitworth(), alpha=20)))
+    plain = vad.animate(lesson.sheet, plain=True)
+    flown = 0
+    for times, step, drawn in zip(
+        parts(lesson).data["times"], lesson.steps, plain.steps, strict=True
+    ):
+        grow, hold = (round(each * lesson.fps) for each in times[:2])
+        assert abs(grow - drawn.grow) <= 1
+        assert grow + hold == step.grow + step.hold
+        flown += step.grow > 2 * grow
+    assert flown > 3

@@ -1,4 +1,4 @@
-"""Figures that fly onto their polygons: from their own points to the polygon's vertices."""
+"""What flies in a film: figures and vectors, from where they are made to their polygons."""
 
 from __future__ import annotations
 
@@ -7,13 +7,19 @@ import math
 import pytest
 
 import vad
-from tests.plan.overlaps import KEY, planned
+from tests.plan.overlaps import KEY
+from tests.statics.machines import MACHINES
+from tests.statics.test_equilibrium import pose
+from vad.lecture.moment import smooth
+from vad.lecture.pace import PHASES
 from vad.page.parts import page_plan
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.items import FLIGHT
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
+from vad.plan.stage import Stage
 from vad.strokes.sheet import Arrow
+from vad.strokes.travels import travels
 
 POSES = [(60, 0, 50, 10), (60, 0, 130, -4), (60, 20, 70, 25), (40, 0, 200, -10), (60, 0, 310, 0.3)]
 #: The figure of each polygon, its sides by the strokes that are drawn upon them.
@@ -28,6 +34,10 @@ SIDES = {
 }
 
 
+def filmed(sheet, size=(1280, 720)):
+    return plan(sheet, screen(size), KEY, lesson=True, flights=True)
+
+
 def flights(board):
     return [item for item in board.items if item.region == FLIGHT]
 
@@ -38,6 +48,11 @@ def ends(mark, share):
     return list(shape.pieces[0])
 
 
+def figures(board):
+    """Return the flights of figures, whose sides are lights."""
+    return [i for i in flights(board) if any(m.role == "vector light" for m in i.marks)]
+
+
 def near(one, other):
     return all(abs(a - b) < 1e-12 for a, b in zip(one, other, strict=True))
 
@@ -46,10 +61,10 @@ def near(one, other):
 def test_the_figure_of_klein_flies_from_its_points_to_the_vertices(crank, offset, angle, omega):
     motion = vad.solve(vad.SliderCrank(crank=crank, offset=offset), angle=angle, omega=omega)
     sheet = vad.draw(motion, ("klein", "velocity", "acceleration"))
-    board = planned(sheet, lesson=True)
+    board = filmed(sheet)
     at = {**vad.klein(motion), **{each: motion.point(each).position for each in "ABC"}}
     figure = board.sketches["klein"].scale
-    items = flights(board)
+    items = figures(board)
     assert [item.stroke.partition(":")[0] for item in items] == list(SIDES)
     for item, (name, sides) in zip(items, SIDES.items(), strict=True):
         scale, strokes = board.sketches[name].scale, sheet.panel(name).strokes
@@ -66,8 +81,8 @@ def test_the_figure_of_klein_flies_from_its_points_to_the_vertices(crank, offset
 def test_the_turned_polygon_flies_onto_the_velocities(omega):
     motion = vad.solve(vad.CrankSlottedLever(rod=100, ram_height=180), angle=40, omega=omega)
     sheet = vad.draw(motion, ("turned", "velocity"))
-    board = planned(sheet, lesson=True)
-    (item,) = flights(board)
+    board = filmed(sheet)
+    (item,) = figures(board)
     figure, scale = (board.sketches[name].scale for name in ("turned", "velocity"))
     given = {stroke.name: stroke.shape for stroke in sheet.panel("turned").strokes}
     arrows = [s for s in sheet.panel("velocity").strokes if isinstance(s.shape, Arrow)]
@@ -81,14 +96,14 @@ def test_the_turned_polygon_flies_onto_the_velocities(omega):
 def test_a_flight_does_not_pass_through_a_point():
     """A turn by 180°, whose mean factor would be zero."""
     sheet = vad.draw(vad.solve(vad.SliderCrank(), angle=50), ("klein", "acceleration"))
-    (item,) = flights(planned(sheet, lesson=True))
+    (item,) = figures(filmed(sheet))
     lengths = [abs(start - end) for start, end in (ends(item.marks[0], s / 8) for s in range(9))]
     assert min(lengths) == pytest.approx(min(lengths[0], lengths[-1]))
 
 
 def test_what_flies_grows_and_is_gone_at_the_next_beat():
     sheet = vad.draw(vad.solve(vad.SliderCrank(), angle=50), ("klein", "velocity", "acceleration"))
-    for item in flights(planned(sheet, lesson=True)):
+    for item in flights(filmed(sheet)):
         assert all(mark.growth for mark in item.marks)
         assert item.until == item.since + 1
 
@@ -103,7 +118,7 @@ def test_nothing_flies_where_each_panel_is_a_picture_of_its_own():
 
 def test_nothing_flies_where_the_polygon_has_no_sides():
     sheet = vad.draw(vad.solve(vad.SliderCrank(), angle=50, omega=0), ("klein", "velocity"))
-    assert not flights(plan(sheet, screen((1280, 720)), KEY, lesson=True))
+    assert not flights(filmed(sheet))
 
 
 def test_the_image_of_a_flight_is_the_flight_of_the_image():
@@ -114,3 +129,148 @@ def test_the_image_of_a_flight_is_the_flight_of_the_image():
         assert near(ends(mark.mapped(2.0, 3 - 1j), share), image)
     assert near(ends(mark, 0.5), [1 + 1j + 2j * (z - 1 - 1j) + 1j for z in (1, 2j)])
     assert math.isclose(abs(ends(mark, 0.25)[0] - ends(mark, 0.25)[1]), 2.5 * math.sqrt(5))
+
+
+# --- vectors --------------------------------------------------------------------------------------
+
+
+def moving(name, share=0.31):
+    """Return a pose of a machine whose driver changes its speed, and its sheet."""
+    machine = MACHINES[name]()
+    place, rate, change = machine.inputs
+    given = {place: pose(machine, share).inputs[place], rate: machine.inputs[rate] or 1.0}
+    motion = vad.solve(machine, **given, **{change: 20.0})
+    return motion, vad.draw(motion)
+
+
+def shafts(board):
+    """Yield the travels of a board with the shafts and heads that fly, and their flights."""
+    found = travels(board.sheet)
+    for item in flights(board):
+        if isinstance(item.marks[-1].growth, Flying) and item.stroke in found:
+            flying = [mark for mark in item.marks if isinstance(mark.growth, Flying)]
+            yield found[item.stroke], item, flying
+
+
+@pytest.mark.exhaustive(6)
+@pytest.mark.parametrize("name", sorted(MACHINES))
+def test_what_travels_is_its_source_times_a_rate(name):
+    """ab is AB times iω, a normal component BA times ω², Coriolis' v times 2iω."""
+    motion, sheet = moving(name)
+    for stroke, travel in travels(sheet).items():
+        panel, _, own = stroke.partition(":")
+        drawn = sheet.panel(panel).strokes[sheet.panel(panel).number(own)]
+        found = (travel.end - travel.start) / (travel.head - travel.tail)
+        body = drawn.link
+        triangles = [t.link for t in sheet.panel(panel).triangles if t.stroke == own]
+        if triangles:
+            (body,) = triangles
+        if travel.kind == "coriolis":
+            slide = next(s for s in motion.frame.steps if s.ends == drawn.part.of)
+            body = slide.along
+        link = motion.link(body)
+        spin = link.omega
+        first = {"tangential": 1j * spin, "image": 1j * spin}
+        second = {
+            "tangential": 1j * link.alpha,
+            "normal": spin**2,
+            "image": 1j * link.alpha - spin**2,
+            "coriolis": 2j * spin,
+        }
+        wanted = (first if panel == "velocity" else second)[travel.kind]
+        assert found == pytest.approx(wanted, rel=1e-6), stroke
+
+
+@pytest.mark.exhaustive(6)
+@pytest.mark.parametrize("name", sorted(MACHINES))
+def test_vectors_fly_from_their_source_to_their_vertices(name):
+    _, sheet = moving(name)
+    for size in ((1280, 720), (1024, 768)):
+        board = filmed(sheet, size)
+        rest = {item: board.shown(item.since + 1) for item in flights(board)}
+        for travel, item, marks in shafts(board):
+            by_role = {mark.role: mark for mark in marks}
+            if "plate" in by_role:
+                continue
+            (shaft,) = (mark for mark in marks if mark.role in ("vector", "whole"))
+            landed = [m for each in rest[item] if each.stroke == item.stroke for m in each.marks]
+            assert near(
+                ends(shaft, 1.0), next(m for m in landed if m.role == shaft.role).shape.pieces[0]
+            )
+            head = by_role["head"]
+            sizes = [
+                abs(ring[0] - ring[1]) for ring in (head.at(s / 7).shape.rings[0] for s in range(8))
+            ]
+            assert sizes[-1] == pytest.approx(max(sizes))
+            scale = board.sketches[travel.source].scale
+            source = scale(travel.head) - scale(travel.tail)
+            tail, neck = ends(shaft, 0.0)
+            turned = (neck - tail) / source
+            assert abs(turned.imag) < 1e-6 * abs(turned)
+            off = ((tail - scale(travel.tail)) / source).imag * abs(source)
+            factor = board.sketches[item.stroke.partition(":")[0]].scale.factor
+            lane = 0.02 * abs(source) / (factor * abs(travel.end - travel.start))
+            assert abs(off) < lane
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "whitworth with ram", "slotted lever with ram"])
+def test_nothing_flies_off_the_page(name):
+    _, sheet = moving(name)
+    board = filmed(sheet)
+    for travel, _, marks in shafts(board):
+        for share in (0.2, 0.45, 0.6, 0.7, 0.9):
+            for mark in marks:
+                shape = mark.at(share).shape
+                rings = shape.pieces if isinstance(shape, Polyline) else shape.rings
+                for z in (z for ring in rings for z in ring):
+                    assert board.regions[FLIGHT].holds(z), (travel, share)
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
+def test_on_a_stage_vectors_leave_the_small_pictures(size):
+    _, sheet = moving("whitworth with ram")
+    stage = Stage(sheet, screen(size), KEY, flights=True)
+    scene = stage.scene(2)
+    found = [flight for flight in shafts(scene) if flight[1].stroke.startswith("acceleration")]
+    assert {travel.kind for travel, _, _ in found} == {"normal", "tangential", "coriolis", "image"}
+    for travel, _, marks in found:
+        (shaft,) = (mark for mark in marks if mark.role in ("vector", "whole"))
+        scale = scene.sketches[travel.source].scale
+        assert min(abs(ends(shaft, 0.0)[0] - scale(z)) for z in (travel.tail, travel.head)) < 0.03
+        for share in (0.2, 0.5, 0.7, 0.8):
+            assert all(stage.regions[FLIGHT].holds(z) for z in ends(shaft, share))
+    assert not flights(Stage(sheet, screen(size), KEY).scene(2))
+
+
+def test_a_vector_shows_in_its_panel_when_it_has_landed():
+    _, sheet = moving("slider-crank")
+    board = filmed(sheet)
+    beat = next(item.since for item in flights(board) if item.stroke == "velocity:AB.tangential")
+    shown = [
+        {mark.role for item in board.shown(at) if item.region == "velocity" for mark in item.marks}
+        for at in (beat, beat + 1)
+    ]
+    assert {"vector", "head"} & shown[0] == set()
+    assert {"vector", "head", "vector light"} <= shown[1]
+
+
+def test_the_vector_of_the_crank_turns_about_its_pin():
+    motion, sheet = moving("slider-crank", 0.12)
+    board = filmed(sheet)
+    pin = board.sketches["position"].scale(motion.point("B").position)
+    (item,) = (item for item in flights(board) if item.stroke == "velocity:AB.tangential")
+    (shaft,) = (m for m in item.marks if m.role == "vector" and isinstance(m.growth, Flying))
+    lift, turn, stretch, fly = PHASES["tangential"]
+    for seconds in (lift, lift + turn / 2, lift + turn):
+        share = smooth(seconds / (lift + turn + stretch + fly))
+        assert ends(shaft, share)[0] == pytest.approx(pin)
+
+
+def test_nothing_flies_in_space_nor_without_its_source():
+    assert travels(vad.draw(vad.solve(vad.HookeJoint()))) == {}
+    motion = vad.solve(vad.Whitworth(), alpha=20)
+    alone = travels(vad.draw(motion, ("acceleration",)))
+    assert alone == {}
+    assert [t.kind for t in travels(vad.draw(motion, ("velocity", "acceleration"))).values()] == [
+        "coriolis"
+    ]

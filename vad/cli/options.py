@@ -40,7 +40,7 @@ OWN = {
     *("help", "from", "to", "start", "stop", "point", "json", "as_json", "o", "output"),
     "digits",
     *("panels", "style", "language", "size", "paper", "blank", "at", "turn"),
-    *("fps", "speed", "still", "loop", "subtitles", "steps", "port", "no_browser"),
+    *("fps", "speed", "still", "loop", "plain", "subtitles", "steps", "port", "no_browser"),
     *("script", "pause", "title", "subtitle"),
     *("load", "mass", "inertia", "gravity", "friction", "superpose", "centrode"),
     *("merit", "extremes", "pin", "over", "columns"),

@@ -121,6 +121,7 @@ _FILM = [
         metavar="NUMBER",
         help="begin with this dyad; those before it are drawn already  [1]",
     ),
+    click.Option(["--plain"], is_flag=True, help="a pencil draws every vector; none flies"),
     click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film"),
 ]
 _LOADS = burden_options()
@@ -230,7 +231,8 @@ def animate(
     burden = take_burden(mechanism, options)
     if turn:
         of_strokes = {"--still": still is not None, "--subtitles": subtitles}
-        for name, given in (of_strokes | {"--loop": "loop" in options}).items():
+        of_strokes |= {f"--{name}": name in options for name in ("loop", "plain")}
+        for name, given in of_strokes.items():
             if given:
                 why = "which draws no strokes one by one"
                 raise UsageError(f"{name} does not go with --turn, {why}")
@@ -242,7 +244,7 @@ def animate(
         hint = "as in -o lecture.mp4 --subtitles; or -o lecture.srt alone"
         raise UsageError(f"--subtitles go beside a film, not beside '{output}'", hint)
     own = _pop(options, *own_options([FORMATS[thing][kind]]))
-    timing = _pop(options, "fps", "size", "speed", "style", "loop")
+    timing = _pop(options, "fps", "size", "speed", "style", "loop", "plain")
     sheet = vad.draw(_pose(mechanism, inputs, burden), **options)
     lesson = vad.animate(sheet, **timing, script=script)
     if still is not None:

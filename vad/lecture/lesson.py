@@ -37,7 +37,7 @@ class LessonStep:
     glide to their places in the next one for ``glide``, and rest there for ``settle``.  After
     ``beats`` frames the second beat of its caption is said, then the third.  A stroke that is
     ``there`` is not drawn: it is on the board when its panel begins.  The ``chapter`` is the panel
-    with which it is told.
+    with which it is told.  Where a vector flies, a ``pencil`` would draw it in so many frames.
     """
 
     panel: Panel
@@ -50,6 +50,7 @@ class LessonStep:
     there: bool = field(default=False, kw_only=True)
     chapter: str = field(default="", kw_only=True)
     scene: int = field(default=0, kw_only=True)
+    pencil: int = field(default=0, kw_only=True)
 
     @property
     def frames(self) -> int:
@@ -78,7 +79,8 @@ class Lesson(Displayed):
 
     ``opening`` frames show the empty page, ``closing`` frames the finished one with the ``answer``
     in words, if it has one.  The last of them, where there are scenes, bring the panels to their
-    places in the sheet for ``glide``, and show it for ``settle``.
+    places in the sheet for ``glide``, and show it for ``settle``.  In a ``plain`` lesson nothing
+    flies from panel to panel.
     """
 
     sheet: Sheet
@@ -91,6 +93,7 @@ class Lesson(Displayed):
     answer: Sentence | None = None
     glide: int = 0
     settle: int = 0
+    plain: bool = False
 
     def __repr__(self) -> str:
         """Return a line: what is drawn, in how many steps, and how long that takes."""
@@ -133,6 +136,7 @@ def animate(
     style: str = "paper",
     loop: int = 1,
     script: Script | Mapping[str, Any] | str | os.PathLike[str] | None = None,
+    plain: bool = False,
 ) -> Lesson:
     """Return the lesson in which ``sheet`` is drawn stroke by stroke.
 
@@ -154,6 +158,9 @@ def animate(
     script
         Captions of one's own, pauses and markers, by the names of strokes or their steps: a file in
         TOML, or a mapping with the tables ``captions``, ``pauses`` and ``markers``.
+    plain
+        Whether a pencil draws every vector.  Otherwise, in films, a vector that is known leaves the
+        link or the velocity that it comes from, turns, and flies to its polygon.
 
     Raises
     ------
@@ -179,7 +186,7 @@ def animate(
 
     script = script_of(script)
     sheet, opening = script.told(sheet), OPENING / speed
-    found = [each.faster(speed) for each in times(sheet, loop)]
+    found = [each.faster(speed) for each in times(sheet, loop, plain)]
     if script.pauses or script.markers:
         found, opening = scripted(found, script, sheet, opening)
     steps: list[LessonStep] = []
@@ -194,6 +201,7 @@ def animate(
         beats = tuple(round((clock + beat) * fps) - ends[0] for beat in each.beats)
         more: dict[str, Any] = {"beats": beats, "there": each.there}
         more |= {"chapter": chapter, "scene": scene}
+        more["pencil"] = round((clock + each.pencil) * fps) - ends[0]
         steps.append(LessonStep(panel, index, *lasts, **more))
         clock = clocks[-1]
     said = answer(sheet)
@@ -203,7 +211,7 @@ def animate(
     first, last, glide, settle = (round(each * fps) for each in seconds)
     settle = max(settle, 1) if is_staged(sheet) else 0
     first, last = max(1, first), max(1, last, glide + settle)
-    return Lesson(sheet, tuple(steps), first, last, fps, size, style, said, glide, settle)
+    return Lesson(sheet, tuple(steps), first, last, fps, size, style, said, glide, settle, plain)
 
 
 def _loop(sheet: Sheet, loop: object) -> int:

@@ -5,7 +5,7 @@ A script may add pauses, and place strokes at moments of a recorded voice.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from vad.errors import UsageError
@@ -15,6 +15,7 @@ from vad.lecture.telling import reading, share_caption, starts, told, told_toget
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
 from vad.strokes.telling import telling
+from vad.strokes.travels import TravelKind, travels
 
 #: Seconds in which each kind of stroke grows.  A vector takes as long if it is the longest one of
 #: its panel.
@@ -31,6 +32,14 @@ GROWTH = {
 FOLD = 1.0  # a plane that is rotated into the paper
 FLIGHT = 2.4  # while a figure upon the mechanism turns onto its polygon
 SWIFT = 0.3  # of each of several strokes with one caption, on average and at least
+#: The seconds of the phases of a flight: most lift off, turn, are stretched, and fly.
+PHASES: dict[TravelKind, tuple[float, ...]] = {
+    "tangential": (0.8, 1.0, 0.6, 1.0),
+    "normal": (0.8, 0.6, 1.4),
+    "coriolis": (0.6, 1.2, 0.8, 1.2),
+    "image": (1.0, 0.6, 1.0),
+}
+AFTER_FLIGHT = 0.6
 SHORT = 0.75  # share of that time for a vector of length zero
 LEAST_REST = 0.5  # after a caption, and before the next one
 GLIDE = 1.0  # the panels of a stage, as they move to their places in the next scene
@@ -48,7 +57,8 @@ LOOK = 1.5  # seconds, at least, to look at what is on the board already
 class Times:
     """The seconds of one stroke: it grows and rests; panels glide to the next scene, and settle.
 
-    ``beats`` are the seconds after which the second beat of its caption begins, and the third.
+    ``beats`` are the seconds after which the second beat of its caption begins, and the third.  A
+    ``pencil`` would take so many seconds of a flight.
     """
 
     grow: float
@@ -57,6 +67,7 @@ class Times:
     settle: float = 0.0
     beats: tuple[float, ...] = ()
     there: bool = False
+    pencil: float = 0.0
 
     @property
     def all(self) -> float:
@@ -77,6 +88,7 @@ class Times:
             hold=self.hold / speed,
             glide=self.glide / speed,
             settle=self.settle / speed,
+            pencil=self.pencil / speed,
             beats=tuple(beat / speed for beat in self.beats),
         )
 
@@ -103,13 +115,13 @@ def _length(stroke: Stroke) -> float:
     return abs(shape.end - shape.start) if isinstance(shape, Arrow) else 0.0
 
 
-def times(sheet: Sheet, loop: int) -> Iterator[Times]:
+def times(sheet: Sheet, loop: int, plain: bool = False) -> Iterator[Times]:
     """Yield the times of all strokes of a sheet, as they are told.
 
-    Those before a loop are there already.
+    Those before a loop are there already.  In a ``plain`` film nothing flies.
     """
-    flown = {turned.panel for half in sheet.halves for turned in half.turned}
-    found = {half.name: list(_times_of(half, loop, half.name in flown)) for half in sheet.halves}
+    flown = {} if plain else flights(sheet)
+    found = {half.name: list(_times_of(half, loop, flown)) for half in sheet.halves}
     scenes = scene_numbers(sheet)
     for each, scene, after in zip(telling(sheet), scenes, [*scenes[1:], *scenes[-1:]], strict=True):
         own = found[each.half.name][each.number]
@@ -123,8 +135,17 @@ def _moving(own: Times) -> Times:
     return replace(own, hold=min(rest, own.hold), glide=GLIDE, settle=SETTLE)
 
 
-def _times_of(panel: Panel, loop: int, flown: bool) -> Iterator[Times]:
-    """Yield the times of the strokes of a panel, onto which a figure may be ``flown``."""
+def flights(sheet: Sheet) -> dict[str, float]:
+    """Return how long what travels with a stroke flies, by the full name of the stroke."""
+    found = {name: sum(PHASES[travel.kind]) for name, travel in travels(sheet).items()}
+    for turned in (each for half in sheet.halves for each in half.turned):
+        for panel in (half for half in sheet.halves if half.name == turned.panel):
+            found[panel.full(panel.strokes[-1].name)] = FLIGHT
+    return found
+
+
+def _times_of(panel: Panel, loop: int, flown: Mapping[str, float]) -> Iterator[Times]:
+    """Yield the times of the strokes of a panel; some are ``flown`` for so many seconds."""
     longest = max(map(_length, panel.strokes), default=0.0)
     begun = panel.loops[loop - 1] if 1 < loop <= len(panel.loops) else panel.given
     pairs = list(told_together(panel))
@@ -138,15 +159,16 @@ def _times_of(panel: Panel, loop: int, flown: bool) -> Iterator[Times]:
                 for each in range(first, last + 1)
             )
             continue
-        grown = [growth(stroke, longest) for stroke in strokes]
-        if flown and last == len(panel.strokes) - 1:
-            grown[-1] = FLIGHT
+        pencils = [growth(stroke, longest) for stroke in strokes]
+        names = (panel.full(stroke.name) for stroke in strokes)
+        grown = [flown.get(*each) for each in zip(names, pencils, strict=True)]
         if len(strokes) > 1 and share_caption(strokes, 0):
             yield from _times_of_one_caption(strokes[0], grown)
             continue
-        for stroke, grow in zip(strokes, grown, strict=True):
-            hold = rest(stroke, grow, LEAST_REST if stroke is strokes[-1] else 0.0)
-            yield Times(grow, hold, beats=starts(stroke.said))
+        for stroke, grow, pencil in zip(strokes, grown, pencils, strict=True):
+            least = LEAST_REST if grow == pencil else AFTER_FLIGHT
+            hold = rest(stroke, grow, least if stroke is strokes[-1] else 0.0)
+            yield Times(grow, hold, beats=starts(stroke.said), pencil=pencil)
 
 
 def _times_of_one_caption(stroke: Stroke, grown: Sequence[float]) -> Iterator[Times]:

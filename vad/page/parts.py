@@ -151,7 +151,7 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
             "first": first,
             "panels": [[panel.name, panel.title] for panel in sheet.panels],
             "times": [
-                [round(frames / lesson.fps, 3) for frames in (step.grow, step.hold, *step.beats)]
+                [round(frames / lesson.fps, 3) for frames in (*_drawn(step), *step.beats)]
                 for step in lesson.steps
             ],
             "answer": _answer(lesson, words),
@@ -178,6 +178,12 @@ def _stepped(lesson: Lesson, turned: HandBoard | None, words: RunWriter) -> str:
 def _firm(piece: TextPiece) -> TextPiece:
     """Return a piece of a parameter, which no line of the page breaks."""
     return TextPiece(piece.text.replace(" ", _FIRM), piece.kind)
+
+
+def _drawn(step: LessonStep) -> tuple[int, int]:
+    """Return for how many frames a pencil draws a stroke, which does not fly, and it rests."""
+    drawn = min(step.pencil or step.grow, step.grow)
+    return drawn, step.grow + step.hold - drawn
 
 
 def _height(board: Plan) -> int:

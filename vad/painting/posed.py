@@ -101,9 +101,10 @@ def posed(
 def board_of(lesson: Lesson) -> Stage | Plan:
     """Return the board on which a lesson is drawn: a stage, if it has several panels."""
     key = load_style(lesson.style).key
+    form, flights = screen(lesson.size), not lesson.plain
     if is_staged(lesson.sheet):
-        return Stage(lesson.sheet, screen(lesson.size), key)
-    return plan(lesson.sheet, screen(lesson.size), key, lesson=True)
+        return Stage(lesson.sheet, form, key, flights)
+    return plan(lesson.sheet, form, key, lesson=True, flights=flights)
 
 
 def picture(

@@ -43,7 +43,7 @@ from vad.plan.page.changing import (
 from vad.plan.page.heads import Foot, compose, lines_of, title_marks
 from vad.plan.page.table import heights
 from vad.plan.pictures import sketched
-from vad.plan.pictures.flights import turned_polygons
+from vad.plan.pictures.flights import travelling, turned_polygons
 from vad.plan.pictures.found import found_later
 from vad.plan.pictures.senses import found_senses
 from vad.plan.pictures.views import folds
@@ -130,6 +130,7 @@ def plan(
     lines: int | None = None,
     scales: Mapping[str, Scale] = MappingProxyType({}),
     words: bool = True,
+    flights: bool = False,
 ) -> Plan:
     """Return the plan of a sheet.
 
@@ -148,8 +149,9 @@ def plan(
     scales
         Of the panels that do not fill their room.
     words
-        False if the words around the pictures are written elsewhere, and each picture stands alone:
-        in a page of HTML.
+        False if the words around the pictures are written elsewhere: in a page of HTML.
+    flights
+        Whether vectors and figures fly from panel to panel: in a film.
     """
     if lines is None:
         lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
@@ -158,7 +160,7 @@ def plan(
     for panel in sheet.panels:
         sketches |= column(sheet, panel, page.panels[panel.name].drawing, form, scales)
     regions = regions_of(page)
-    items = list(pictures(sketches, apart=not words))
+    items = list(pictures(sketches, regions[FLIGHT] if flights else None))
     if words:
         items += [
             Item("", TITLE, Level.GROUND, tuple(title_marks(sheet, page))),
@@ -191,16 +193,17 @@ def column(
     return sketches
 
 
-def pictures(sketches: Mapping[str, Sketch], apart: bool = False) -> Iterator[Item]:
+def pictures(sketches: Mapping[str, Sketch], page: Rect | None = None) -> Iterator[Item]:
     """Yield the items of all panels: what each holds, and what one shows of another.
 
-    ``apart`` says whether panels are pictures of their own, which nothing can leave.
+    Over a ``page`` vectors and figures fly from panel to panel; without one nothing leaves a panel.
     """
-    yield from found_later((item for each in sketches.values() for item in each.items), sketches)
+    drawn = found_later((item for each in sketches.values() for item in each.items), sketches)
+    yield from travelling(drawn, sketches, page) if page else drawn
     yield from found_senses(sketches)
     yield from lights(sketches)
     yield from folds(sketches)
-    yield from turned_polygons(sketches, apart)
+    yield from turned_polygons(sketches, flights=page is not None)
 
 
 def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:

@@ -13,7 +13,7 @@ from __future__ import annotations
 import cmath
 import math
 from bisect import bisect_right
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any, NamedTuple, Protocol
@@ -37,13 +37,17 @@ class Polyline:
         """Return the shape with every point z at ``turn * z + shift``."""
         return Polyline(tuple(tuple(turn * z + shift for z in piece) for piece in self.pieces))
 
+    def placed(self, place: Callable[[complex], complex]) -> Polyline:
+        """Return the shape with every point z at ``place(z)``."""
+        return Polyline(tuple(tuple(map(place, piece)) for piece in self.pieces))
+
     def squeezed(self, centre: complex, axis: complex, factor: float) -> Polyline:
         """Return the lines a ``factor`` as wide across an axis through ``centre``."""
 
         def place(z: complex) -> complex:
             return centre + squeezed(z - centre, axis, factor)
 
-        return Polyline(tuple(tuple(map(place, piece)) for piece in self.pieces))
+        return self.placed(place)
 
     @property
     def length(self) -> float:
@@ -81,6 +85,10 @@ class Polygon:
     def mapped(self, turn: complex, shift: complex) -> Polygon:
         """Return the shape with every point z at ``turn * z + shift``."""
         return Polygon(tuple(tuple(turn * z + shift for z in ring) for ring in self.rings))
+
+    def placed(self, place: Callable[[complex], complex]) -> Polygon:
+        """Return the shape with every point z at ``place(z)``."""
+        return Polygon(tuple(tuple(map(place, ring)) for ring in self.rings))
 
 
 @dataclass(frozen=True, slots=True)
@@ -380,24 +388,40 @@ class Flying:
     """A mark flies into its place: it moves, and meanwhile turns and swells about ``centre``.
 
     Offset, size and angle each are linear between the ``legs``: a single complex factor would pass
-    through zero in a turn by 180°.
+    through zero in a turn by 180°.  Of a vector, ``tip`` is the point of its head, which does not
+    swell: every vertex but the one in the centre keeps its distance from the tip.  While the vector
+    is shorter than ``full``, its head is smaller, too.
     """
 
     centre: complex
     legs: tuple[Leg, ...]
+    tip: complex | None = None
+    full: float = 0.0
 
-    def of(self, shape: Shape, share: float) -> Grown:
+    def of(self, shape: Any, share: float) -> Grown:
         """Return the shape on its way."""
         offset = between([(leg.share, leg.offset) for leg in self.legs], share)
         factor = between([(leg.share, leg.factor) for leg in self.legs], share).real
         degrees = between([(leg.share, leg.degrees) for leg in self.legs], share).real
         turn = cmath.rect(factor, math.radians(degrees))
-        return shape.mapped(turn, self.centre * (1.0 - turn) + offset), 1.0
+        shift = self.centre * (1.0 - turn) + offset
+        if self.tip is None:
+            return shape.mapped(turn, shift), 1.0
+        own, length = self.tip, factor * abs(self.tip - self.centre)
+        size = min(1.0, length / self.full) if self.full else 1.0
+        way = cmath.rect(size, math.radians(degrees))
+        tip = turn * own + shift
+
+        def place(z: complex) -> complex:
+            return turn * z + shift if z == self.centre else tip + way * (z - own)
+
+        return shape.placed(place), 1.0
 
     def mapped(self, turn: complex, shift: complex) -> Flying:
         """Return how the shape's image flies; see `Shape.mapped`."""
         legs = (leg._replace(offset=turn * leg.offset) for leg in self.legs)
-        return Flying(turn * self.centre + shift, tuple(legs))
+        tip = None if self.tip is None else turn * self.tip + shift
+        return Flying(turn * self.centre + shift, tuple(legs), tip, abs(turn) * self.full)
 
 
 @dataclass(frozen=True, slots=True)

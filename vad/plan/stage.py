@@ -53,8 +53,9 @@ class Stage:
         The parts of the page that change on their own, those of all scenes, in painting order.
     """
 
-    def __init__(self, sheet: Sheet, form: Format, key: float) -> None:
+    def __init__(self, sheet: Sheet, form: Format, key: float, flights: bool = False) -> None:
         self.sheet, self.form, self._key = sheet, form, key
+        self._flown = Rect(0.0, 0.0, form.width, form.height) if flights else None
         self._names = scenes(sheet)
         lines = caption_lines(sheet, form.width - 2 * MARGIN)
         shapes = {panel.name: _shape(panel) for panel in sheet.panels}
@@ -129,13 +130,13 @@ class Stage:
         sketches: dict[str, Sketch] = {}
         for panel in sheet.panels:
             sketches |= self._placed(panel, page.panels[panel.name].drawing, layout)
-        drawn = list(pictures(sketches))
+        drawn = list(pictures(sketches, self._flown))
         own = [item for item in drawn if item.region == large.name]
         factor, shift = _fitted(own, page.panels[large.name].drawing)
         if (factor, shift) != (1.0, 0j):
             for half in large.halves:
                 sketches[half.name] = sketches[half.name].mapped(factor, shift)
-            drawn = list(pictures(sketches))
+            drawn = list(pictures(sketches, self._flown))
         items = [
             *drawn,
             *self._heads(layout, sketches),

@@ -1,36 +1,58 @@
-"""What travels: the figure upon a mechanism becomes the polygon whose shape it has.
+"""What flies in a film from one panel to another: vectors, images of links, and figures.
 
-In a film it flies from its panel to that of the polygon.  On a page each panel is a picture of its
-own, which nothing can leave: there the figure turns into its place within the polygon's panel.
+A vector leaves the link or the velocity that it comes from, turns, is stretched to the scale of its
+polygon, and lands there.  A figure upon a mechanism becomes the polygon whose shape it has.  On a
+page each panel is a picture of its own, which nothing can leave: there a pencil draws the vector,
+and the figure turns into its place within the polygon's panel.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import replace
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import accumulate, pairwise
 
+from vad.lecture.moment import smooth
+from vad.lecture.pace import PHASES
+from vad.plan.geometry import Rect, direction_of
 from vad.plan.items import FLIGHT, Item, Level
-from vad.plan.marks import Flying, Growth, Leg, Mark, Turning, line
+from vad.plan.marks import Fading, Flying, Growth, Leg, Mark, Polygon, Polyline, Turning, line
+from vad.plan.pictures.vectors import HEAD_SHARE
 from vad.plan.reach import corners
 from vad.plan.sketch import Sketch
 from vad.strokes.shapes import Turned
 from vad.strokes.sheet import Arrow, Panel
+from vad.strokes.travels import Travel, travels
 
 #: A figure that is more often as large as its polygon, or as small, is not on the same page.
 MOST = 1e3
+#: A vector that is shorter on the page does not fly: a pencil draws it.
+SHORTEST_FLIGHT = 0.004
+#: How far a copy lifts off the vector that it is made of, and how high it flies, of its way.
+LIFT, ARCH = 0.04, 0.08
+#: A copy that turns is at least so long.
+SEEN = 0.09
+#: So far from the edges of the page all that flies ends.
+EDGE = 0.01
+#: Into so many straight parts a phase is divided, which begins and ends gently.
+PARTS = 6
+#: How much ink the traces have that a flight leaves, and how long they take to fade, of the flight.
+GHOSTS, VANISHING = (0.20, 0.28, 0.36), 0.08
 
 
-def turned_polygons(sketches: Mapping[str, Sketch], apart: bool) -> Iterator[Item]:
+def turned_polygons(sketches: Mapping[str, Sketch], flights: bool) -> Iterator[Item]:
     """Yield what shows that a figure has the shape of a polygon, while that is finished.
 
-    ``apart`` says whether panels are pictures of their own, which nothing can leave.
+    ``flights`` says whether it may leave its panel.
     """
     for figure in sketches.values():
         for turned in figure.setting.panel.turned:
             polygon = sketches.get(turned.panel)
             sides = list(_sides(polygon, None)) if polygon else []
             if polygon and sides:
-                flight = None if apart else flying(figure, polygon, turned)
+                flight = flying(figure, polygon, turned) if flights else None
                 yield from _shown(polygon, flight or turning(polygon, turned), flight is not None)
 
 
@@ -85,3 +107,204 @@ def turning(polygon: Sketch, turned: Turned) -> Turning:
     across, upright = sorted(z.real for z in ends), sorted(z.imag for z in ends)
     middle = complex(across[0] + across[-1], upright[0] + upright[-1]) / 2
     return Turning(middle, ((0.0, -turned.degrees), (1.0, 0.0)))
+
+
+# --- vectors and images of links ------------------------------------------------------------------
+
+
+def travelling(items: Iterable[Item], sketches: Mapping[str, Sketch], page: Rect) -> list[Item]:
+    """Return the items of all panels with what flies, which shows in its panel when it has landed.
+
+    ``items`` are those that a pencil would draw.
+    """
+    sheet = next(iter(sketches.values())).setting.sheet
+    rooms = [sketch.setting.room for sketch in sketches.values()]
+    air = Rect(
+        min(room.left for room in rooms),
+        min(room.bottom for room in rooms),
+        max(room.right for room in rooms),
+        max(room.top for room in rooms),
+    )
+    edges = page.inside(EDGE), air
+    flights = (Flight.of(name, travel, sketches, edges) for name, travel in travels(sheet).items())
+    own = {flight.stroke: flight for flight in flights if flight}
+    found: list[Item] = []
+    for item in items:
+        flight = own.get(item.stroke)
+        if flight is None or item.region != flight.polygon.setting.panel.column:
+            found.append(item)
+            continue
+        flies = [mark for mark in item.marks if flight.carries(mark, item)]
+        if flies:
+            found.append(flight.item(flies))
+        found.append(flight.landed(item))
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class Flight:
+    """A travel on the page.
+
+    Attributes
+    ----------
+    stroke
+        The full name of the stroke that draws what flies.
+    travel
+        What comes from where.
+    polygon
+        The panel in which it lands.
+    during
+        The beat of the flight.
+    index
+        The number of the stroke in its panel.
+    source
+        Where its tail and its head are in the panel that it leaves.
+    page, air
+        In which it stays; the rooms of all panels, in which it flies.
+    """
+
+    stroke: str
+    travel: Travel
+    polygon: Sketch
+    during: int
+    index: int
+    source: tuple[complex, complex]
+    page: Rect
+    air: Rect
+
+    @classmethod
+    def of(
+        cls, stroke: str, travel: Travel, sketches: Mapping[str, Sketch], edges: tuple[Rect, Rect]
+    ) -> Flight | None:
+        """Return a travel on the page; None if a vector is no more than a point there."""
+        panel, _, name = stroke.partition(":")
+        polygon, figure = sketches[panel], sketches[travel.source]
+        index = polygon.setting.panel.number(name)
+        source = figure.scale(travel.tail), figure.scale(travel.head)
+        length = polygon.scale.factor * abs(travel.end - travel.start)
+        if min(abs(source[1] - source[0]), length) < SHORTEST_FLIGHT:
+            return None
+        return cls(stroke, travel, polygon, polygon.setting.during(index), index, source, *edges)
+
+    @property
+    def is_vector(self) -> bool:
+        """Whether a vector flies, and not the image of a link."""
+        panel = self.polygon.setting.panel
+        return isinstance(panel.strokes[self.index].shape, Arrow)
+
+    def carries(self, mark: Mark, item: Item) -> bool:
+        """Tell whether a mark flies: shaft and head of a vector, or the area of an image."""
+        if not self.is_vector:
+            return mark.role == "plate"
+        return item.since == self.during and mark.role in ("vector", "whole", "head")
+
+    def landed(self, item: Item) -> Item:
+        """Return an item of the stroke that shows from the end of the flight on, if it grew."""
+        if not item.grows or item.since != self.during:
+            return item
+        marks = tuple(replace(mark, growth=None) for mark in item.marks)
+        return replace(item, since=self.during + 1, marks=marks)
+
+    def item(self, marks: Sequence[Mark]) -> Item:
+        """Return marks of the polygon on their way, with the traces that they leave."""
+        moving, traces, edges = [], [], []
+        tip, full, centre = None, 0.0, self.polygon.scale(self.travel.start)
+        for shape in (mark.shape for mark in marks):
+            match shape:
+                case Polyline(pieces):
+                    centre = pieces[0][0]
+                case Polygon(rings) if self.is_vector:
+                    tip, left, _, right = rings[0]
+                    full = abs(tip - (left + right) / 2) / HEAD_SHARE
+                case Polygon(rings):
+                    edges.append(line((*rings[0], rings[0][0]), "whole", marks[0].row))
+        full = min(full, abs(tip - centre)) if tip is not None else 0.0
+        flying = Flying(centre, tuple(self.legs(centre)), tip, full)
+        for mark in (*marks, *edges):
+            moved = replace(mark, growth=flying, hangs=None)
+            moving.append(moved)
+            for ink, share in zip(GHOSTS, self.landmarks, strict=False):
+                still = moved.at(share)
+                assert still is not None
+                shown = (share, 0.0), (share + 1e-9, ink), (1.0 - VANISHING, ink), (1.0, 0.0)
+                traces.append(replace(still, growth=Fading(shown)))
+        marks = (*traces, *moving)
+        return Item(self.stroke, FLIGHT, Level.STROKE, marks, self.during, self.during + 1)
+
+    @property
+    def landmarks(self) -> list[float]:
+        """The shares of the flight at which its phases end, but the last."""
+        seconds = PHASES[self.travel.kind]
+        ends = accumulate(seconds)
+        return [smooth(end / sum(seconds)) for end in ends][:-1]
+
+    def legs(self, centre: complex) -> Iterator[Leg]:
+        """Yield how a point of the polygon, about which all is turned, flies from its source."""
+        *before, stretched, last = self.stops(centre)
+        stops = [*before, self.within(self.air, centre, stretched), last]
+        seconds = PHASES[self.travel.kind]
+        ends = list(accumulate(seconds, initial=0.0))
+        yield stops[0]
+        for number, (one, other) in enumerate(pairwise(stops)):
+            high = ARCH * 1j * abs(other.offset - one.offset) if other is stops[-1] else 0j
+            for part in range(1, PARTS + 1):
+                share = smooth(part / PARTS)
+                time = ends[number] + seconds[number] * part / PARTS
+                arch = 4.0 * share * (1.0 - share) * high
+                leg = Leg(
+                    smooth(time / ends[-1]),
+                    one.offset + share * (other.offset - one.offset) + arch,
+                    one.factor + share * (other.factor - one.factor),
+                    one.degrees + share * (other.degrees - one.degrees),
+                )
+                yield self.within(self.page, centre, leg)
+
+    def within(self, room: Rect, centre: complex, leg: Leg) -> Leg:
+        """Return a leg at which the vector lies in a room, moved if need be."""
+        scale, turn = self.polygon.scale, cmath.rect(leg.factor, math.radians(leg.degrees))
+        ends = [
+            centre + turn * (scale(z) - centre) + leg.offset
+            for z in (self.travel.start, self.travel.end)
+        ]
+        xs, ys = [z.real for z in ends], [z.imag for z in ends]
+        back = complex(
+            max(room.left - min(xs), 0.0) + min(room.right - max(xs), 0.0),
+            max(room.bottom - min(ys), 0.0) + min(room.top - max(ys), 0.0),
+        )
+        return leg._replace(offset=leg.offset + back)
+
+    def stops(self, centre: complex) -> list[Leg]:
+        """Return where the flight begins, and where each of its phases ends.
+
+        A copy of a short vector swells as it lifts off, so that all see how it turns.
+        """
+        scale, kind, turn = self.polygon.scale, self.travel.kind, self.travel.turn
+        (tail, head), start = self.source, scale(self.travel.start)
+        whole = scale(self.travel.end) - start
+        begin = tail + (head - tail) / whole * (centre - start) - centre
+        place = begin + self.lift
+        size = abs(head - tail) / abs(whole)
+        seen = max(size, SEEN / abs(whole))
+        lifted, turned = Leg(0.0, place, seen, -turn), Leg(0.0, place, seen)
+        phases = {
+            "tangential": [lifted, turned],
+            "coriolis": [lifted, turned],
+            "normal": [lifted],
+            "image": [turned],
+        }
+        return [Leg(0.0, begin, size, -turn), *phases[kind], Leg(0.0, place), Leg(0.0, 0j)]
+
+    @property
+    def lift(self) -> complex:
+        """How far a copy lifts off its source before it turns."""
+        tail, head = self.source
+        match self.travel.kind:
+            case "tangential":  # it slides until its tail is at the end of the link
+                return head - tail
+            case "coriolis":
+                return LIFT * direction_of(self.travel.start, self.travel.end)
+            case "normal":
+                up = 1j * direction_of(tail, head)
+                return LIFT * (up if up.imag >= 0.0 else -up)
+            case "image":
+                return 0j

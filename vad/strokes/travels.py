@@ -1,0 +1,144 @@
+"""What travels in a film: vectors that come from a link, or from the velocity polygon.
+
+A component that is known is a link, or a velocity, that is turned, and stretched to the polygon's
+scale: ab is the crank AB turned by 90° in the sense of ω.  An image is the link itself.  Which
+vector comes from where follows from the strokes alone.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator, Mapping
+from typing import Literal, NamedTuple
+
+from vad.errors import InputError
+from vad.kinematics.linkage import points_of
+from vad.kinematics.symbol import is_symbolic
+from vad.strokes.diagram import ACCELERATION, VELOCITY
+from vad.strokes.scene import point_of
+from vad.strokes.sheet import Arrow, Dot, Panel, Plate, Sheet, Stroke
+
+#: What a vector is to what it comes from: it is turned, points back, is v turned, or an image.
+TravelKind = Literal["tangential", "normal", "coriolis", "image"]
+
+
+class Travel(NamedTuple):
+    """From where a vector comes, or the image of a link.
+
+    Attributes
+    ----------
+    kind
+        What it is to its source.
+    source
+        The name of the panel that it leaves.
+    tail, head
+        Where its tail and its head are there, before it is turned: the ends of a link or vector.
+    start, end
+        Its tail and its head in its own panel.
+    """
+
+    kind: TravelKind
+    source: str
+    tail: complex
+    head: complex
+    start: complex
+    end: complex
+
+    @property
+    def turn(self) -> float:
+        """By how many degrees it turns, counter-clockwise positive."""
+        return math.degrees(cmath.phase((self.end - self.start) / (self.head - self.tail)))
+
+
+def travels(sheet: Sheet) -> dict[str, Travel]:
+    """Return all travels by the full names of the strokes that draw what travels.
+
+    There is none in space, and none of what comes from a panel that is not on the sheet.
+    """
+    mechanism = next((panel for panel in sheet.panels if panel.picture == "skeleton"), None)
+    polygons = {half.name: half for half in sheet.halves if half.picture == "vectors"}
+    velocities = polygons.get(VELOCITY.panel)
+    found: dict[str, Travel] = {}
+    for name in (VELOCITY.panel, ACCELERATION.panel):
+        panel = polygons.get(name)
+        if panel and mechanism:
+            found.update(_from_links(panel, mechanism))
+        if panel and velocities:
+            found.update(_coriolis(panel, velocities))
+    return {name: travel for name, travel in found.items() if _can(travel)}
+
+
+def _can(travel: Travel) -> bool:
+    """Tell whether both vectors have a length."""
+    ends = travel.head - travel.tail, travel.end - travel.start
+    return not any(is_symbolic(each) or abs(each) == 0.0 for each in ends)
+
+
+def _from_links(panel: Panel, mechanism: Panel) -> Iterator[tuple[str, Travel]]:
+    places = _places(mechanism)
+    for stroke in panel.strokes:
+        shape, kind = stroke.shape, _kind(stroke, mechanism)
+        if kind is None or not isinstance(shape, Arrow):
+            continue
+        letters = (shape.tail, shape.head) if kind == "image" else _ends(stroke)
+        tail, head = (places.get(point_of(letter)) for letter in letters)
+        if tail is not None and head is not None:
+            source = (head, tail) if kind == "normal" else (tail, head)
+            yield (
+                panel.full(stroke.name),
+                Travel(kind, mechanism.name, *source, shape.start, shape.end),
+            )
+    for triangle in panel.triangles:
+        tail, head = (places.get(letter) for letter in triangle.points[:2])
+        if tail is not None and head is not None:
+            ends = tail, head, *triangle.corners[:2]
+            yield panel.full(triangle.stroke), Travel("image", mechanism.name, *ends)
+
+
+def _kind(stroke: Stroke, mechanism: Panel) -> TravelKind | None:
+    """Return what a vector is to its link; None if a pencil draws it."""
+    if stroke.kind == "known" and stroke.component in ("tangential", "normal"):
+        return stroke.component
+    if not stroke.image or not isinstance(stroke.shape, Arrow):
+        return None
+    struts = (s.link for s in mechanism.strokes if isinstance(s.shape, Arrow) and s.shape.cylinder)
+    if stroke.link in struts:  # its rod slides in its cylinder: it is no rigid body
+        return None
+    on_link = mechanism.body(stroke.link).points
+    letters = stroke.shape.tail, stroke.shape.head
+    return "image" if all(point_of(letter) in on_link for letter in letters) else None
+
+
+def _ends(stroke: Stroke) -> tuple[str, str]:
+    try:
+        return points_of(stroke.part.of)
+    except InputError:  # a sheet that somebody has written
+        return "", ""
+
+
+def _coriolis(panel: Panel, velocities: Panel) -> Iterator[tuple[str, Travel]]:
+    sliding = {s.part.of: s.shape for s in velocities.strokes if s.part.which == "sliding"}
+    for stroke in panel.strokes:
+        source, shape = sliding.get(stroke.part.of), stroke.shape
+        if (
+            stroke.component == "coriolis"
+            and isinstance(shape, Arrow)
+            and isinstance(source, Arrow)
+        ):
+            ends = source.start, source.end, shape.start, shape.end
+            yield panel.full(stroke.name), Travel("coriolis", velocities.name, *ends)
+
+
+def _places(mechanism: Panel) -> Mapping[str, complex]:
+    """Return the places of points of a mechanism, by their letters."""
+    places: dict[str, complex] = {}
+    for stroke in mechanism.strokes:
+        match stroke.shape:
+            case Arrow(start, end, tail, head):
+                places |= {tail: start, head: end}
+            case Dot(at):
+                places |= dict.fromkeys(stroke.label.split(","), at)
+            case Plate(corners, letters):
+                places |= dict(zip(letters, corners, strict=False))
+    return places
