@@ -136,7 +136,7 @@ PHRASES = {
         "{label} = {value} {unit}, {way}: die gegebene Beschleunigung längs {line:des}."
     ),
     "coriolis": (
-        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, die "
+        "{label} = 2·{omega}·*v* = 2 × {rate} × {speed} = {value} {unit}, "
         "Coriolisbeschleunigung: *v* um 90° im Drehsinn von {omega} gedreht."
     ),
     "across velocity": (
@@ -149,7 +149,7 @@ PHRASES = {
     ),
     "across acceleration": (
         "⟂ {bar} durch {point}: die Richtung ist bekannt, die Länge nicht, also liegt {meeting} "
-        "auf dieser Geraden."
+        "darauf."
     ),
     "along velocity": (
         "∥ {line} durch {point}: anders kann sich {slide:der} {head} nicht bewegen, also liegt "
@@ -165,7 +165,7 @@ PHRASES = {
     ),
     "along acceleration": (
         "∥ {line} durch {point}: die Richtung ist bekannt, die Länge nicht, also liegt {meeting} "
-        "auf dieser Geraden."
+        "darauf."
     ),
     "crossing": "{letter} ist der Schnittpunkt der Geraden.",
     "crossing zero": "{letter} ist der Schnittpunkt der Geraden: {found}.",
