@@ -231,7 +231,7 @@ def animate(
     burden = take_burden(mechanism, options)
     if turn:
         of_strokes = {"--still": still is not None, "--subtitles": subtitles}
-        of_strokes |= {f"--{name}": name in options for name in ("loop", "plain")}
+        of_strokes |= {"--loop": "loop" in options, "--plain": options.pop("plain", False)}
         for name, given in of_strokes.items():
             if given:
                 why = "which draws no strokes one by one"
