@@ -32,6 +32,10 @@ task = "Find the velocity of the ram."
 """
 
 
+#: Where the book prints another quantity than the one that it names.
+MISPRINTED = {("khurmi-8-7", "rod.alpha")}
+
+
 def test_there_are_forty_and_more():
     assert len(exercise_names()) >= 40
     assert {read_exercise(name).chapter for name in exercise_names()} <= set(CHAPTERS)
@@ -51,7 +55,7 @@ def test_the_book_is_right_or_it_is_said_why_not(name):
         off = abs(number - each.printed) / abs(each.printed)
         assert math.isfinite(number)
         assert (off > DRAWN) == bool(each.why), (each.result, number, each.printed)
-        assert off < 0.1
+        assert (off < 0.1) != ((name, each.result) in MISPRINTED)
 
 
 @pytest.mark.parametrize("name", exercise_names())

@@ -112,7 +112,7 @@ def test_the_pantograph_enlarges_in_its_ratio():
     ],
 )
 def test_the_toggle_press_of_the_book(what, printed):
-    """Khurmi and Gupta, example 8.6, drawn by hand: five per cent."""
+    """Khurmi and Gupta, example 8.7, drawn by hand: five per cent."""
     motion = vad.solve(verified("toggle-press")())
     a, b, d = (motion.point(name).velocity for name in "ABD")
     measured = {
