@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import zlib
-from base64 import b64decode
+from base64 import a85decode
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -43,7 +43,9 @@ def page_of(name: str, code: str = "en", style: str = "paper", whole: bool = Fal
 def bundle_of(html: str) -> tuple[str, dict[str, Any], list[str]]:
     """Return what a page has packed: its script, its data, and what a hand moves in each panel."""
     text = re.search(r'<script type="text/plain" id="data">(.*?)</script>', html).group(1)
-    return tuple(json.loads(zlib.decompress(b64decode(text), -zlib.MAX_WBITS)))
+    codes = (60 if sign == "~" else ord(sign) for sign in text)
+    data = a85decode(bytes(code - 7 for code in codes))
+    return tuple(json.loads(zlib.decompressobj(-zlib.MAX_WBITS).decompress(data)))
 
 
 #: The lesson that is played, how many strokes it has, and the first of each panel.

@@ -38,8 +38,7 @@ _GLOBALS = frozenset(
         """AbortController Array Boolean CustomEvent DOMPoint Error Float64Array Infinity
         Int32Array JSON Map Math MutationObserver NaN Number
         Object Promise ResizeObserver Set String TextDecoder URLSearchParams Uint8Array
-        addEventListener atob
-        cancelAnimationFrame clearTimeout console document encodeURIComponent
+        addEventListener cancelAnimationFrame clearTimeout console document encodeURIComponent
         getComputedStyle getSelection history
         innerHeight innerWidth isNaN location matchMedia navigator parent performance
         requestAnimationFrame setTimeout vad

@@ -1,8 +1,17 @@
-// What a page carries packed: text as UTF-8, deflated (RFC 1951), in base64. Browsers unpack it only
+// What a page carries packed: text as UTF-8, deflated (RFC 1951), four bytes in five signs, whose codes
+// are 40 and more, but ~ in the place of the sign that begins a tag. Browsers unpack it only
 // in their own time, and a page is to be whole when it has loaded.
 
 function unpack(packed) {
-  const bytes = Uint8Array.from(atob(packed), (sign) => sign.charCodeAt(0)), out = [];
+  const bytes = [], out = [];
+  for (let i = 0; i < packed.length; i += 5) {
+    let value = 0;
+    for (let k = i; k < i + 5; k++) {
+      const sign = packed.charCodeAt(k);
+      value = 85 * value + (sign === 126 ? 60 : sign) - 40;
+    }
+    bytes.push(value >>> 24, value >>> 16 & 255, value >>> 8 & 255, value & 255);
+  }
   let bit = 0;
 
   function bits(count) {
