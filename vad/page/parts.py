@@ -228,12 +228,14 @@ def turned_board(lesson: Lesson) -> HandBoard | None:
 def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, str]:
     """Return the caption of a step as an entry of the list, and as it is read out.
 
-    Of several strokes with one caption only the entry of the first is seen.
+    Of several strokes with one caption only the entry of the first is seen, and only it has the
+    caption: the player gives it to the others.
     """
     pieces = pieces_of(step.stroke.said)
     place = f"#step={step.chapter}:{lesson.place(step)}"
     seen = " class=same" if step.repeats else ""
-    item = f'<li{seen}><a href="{place}">{_beats(step, words)}</a></li>'
+    shown = "" if step.repeats else _beats(step, words)
+    item = f'<li{seen}><a href="{place}">{shown}</a></li>'
     return item, spoken(pieces, lesson.sheet.language)
 
 
