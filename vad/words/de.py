@@ -316,9 +316,7 @@ PHRASES = {
     ),
     "spherical laid": "Um *OI* ins Blatt umgeklappt liegt *OB* {b}° und *OC* {c}° von *OI*.",
     # Pläne von Körpern
-    "bodies remark": (
-        "1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, um 2 4 ins Blatt umgeklappt"
-    ),
+    "bodies remark": "1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, ins Blatt umgeklappt",
     "bodies pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
     "bodies pole acceleration": "Der Pol: das Gestell, 1′, hat keine Winkelbeschleunigung.",
     "bodies given": "{label} = {symbol} = {value} {unit}, längs {axis}.",
@@ -348,7 +346,7 @@ PHRASES = {
     "bodies fold": (
         "Die Koppelebene wird um *OI* ins Blatt umgeklappt: dort sind *OB* und *OC* unverzerrt."
     ),
-    "bodies fold again": "Wieder wird die Koppelebene um *OI* ins Blatt umgeklappt.",
+    "bodies fold again": "Wieder wird diese Ebene um *OI* ins Blatt umgeklappt.",
     "bodies sines": (
         "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
         "{di}°."

@@ -314,8 +314,7 @@ PHRASES = {
     "spherical laid": "Turned about *OI* into the paper, *OB* is {b}° and *OC* is {c}° from *OI*.",
     # polygons of bodies
     "bodies remark": (
-        "1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into the paper "
-        "about 2 4"
+        "1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into the paper"
     ),
     "bodies pole velocity": "The pole: the frame, 1, does not turn.",
     "bodies pole acceleration": "The pole: the frame, 1′, has no angular acceleration.",
@@ -349,7 +348,7 @@ PHRASES = {
         "The plane of the coupler is turned about *OI* into the paper: *OB* and *OC* are true "
         "there."
     ),
-    "bodies fold again": "Again the plane of the coupler is turned about *OI* into the paper.",
+    "bodies fold again": "Again this plane is turned about *OI* into the paper.",
     "bodies sines": (
         "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
         "{di}°."

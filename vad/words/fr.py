@@ -315,9 +315,7 @@ PHRASES = {
         "Rabattus autour de *OI* sur la feuille, *OB* est à {b}° et *OC* à {c}° de *OI*."
     ),
     # polygones de corps
-    "bodies remark": (
-        "1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu autour de 2 4"
-    ),
+    "bodies remark": "1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu",
     "bodies pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
     "bodies pole acceleration": "Le pôle : le bâti, 1′, n’a pas d’accélération angulaire.",
     "bodies given": "{label} = {symbol} = {value} {unit}, suivant {axis}.",
@@ -349,7 +347,7 @@ PHRASES = {
         "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y sont "
         "vrais."
     ),
-    "bodies fold again": "De nouveau, le plan de la bielle est rabattu autour de *OI*.",
+    "bodies fold again": "De nouveau, ce plan est rabattu autour de *OI*.",
     "bodies sines": (
         "{label} = {symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
         "{di}°."
