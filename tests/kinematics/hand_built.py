@@ -29,6 +29,7 @@ class HandBuilt:
     links: dict[str, str] = field(init=False, default_factory=dict)
     slides: dict[str, str] = field(init=False, default_factory=dict)
     points: dict[str, Any] = field(init=False, default_factory=dict)
+    own_names: dict[str, Any] = field(init=False, default_factory=dict)
     burden: None = field(init=False, default=None)
     is_rotor: bool = field(init=False, default=False)
 

@@ -99,10 +99,8 @@ WORDING = {
             "die (?:Geschwindigkeit|Beschleunigung) von (?P<head>[A-Z])"
             "(?: relativ zu (?P<tail>[A-Z]))?"
         ),
-        bound=re.compile("relativ zu (?P<tail>[A-Z]) kann sich (?P<head>[A-Z]) nur so bewegen"),
-        carried=re.compile(
-            r"(?:auf der|im) (?P<carrier>\w+) kann sich der \w+ [A-Z] nur so bewegen"
-        ),
+        bound=re.compile("relativ zu (?P<tail>[A-Z]) bewegt sich (?P<head>[A-Z]) nur so"),
+        carried=re.compile(r"(?:auf der|im) (?P<carrier>\w+) kann der \w+ [A-Z] nur so gleiten"),
         guide=re.compile("Führung(?: von (?P<head>[A-Z]))?$"),
         slot="Schlitz",
         other_side="auf der anderen Seite",

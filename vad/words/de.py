@@ -77,7 +77,7 @@ PHRASES = {
         "{head} liegt auf dem Kreis um {tail}, Radius {bar} = {size} {unit}, der gegebenen Länge "
         "{link:des}."
     ),
-    "lever line": "{link:Der} geht von {tail} aus durch {pin}.",
+    "lever line": "{link:Der} geht von {tail} durch {pin}.",
     "slot line": "Der Schlitz {link:des} geht durch {pin}, und {head} liegt auf seiner Geraden.",
     "found": "{letter} liegt im Schnittpunkt.",
     "arcs cross": "{letter} ist der Schnittpunkt der Bögen.",
@@ -86,9 +86,7 @@ PHRASES = {
     "on lever": "{letter} ist der Punkt {link:des}, der jetzt unter {pin} liegt.",
     "bar": "{link:Der} {bar} steht bei {symbol} = {angle}°.",
     "block": "{slide:Der} {head} steht bei {symbol} = {value} {unit}.",
-    "block from": (
-        "{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus gemessen."
-    ),
+    "block from": ("{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus."),
     "plate": "{link:Der} ist der starre Körper {corners}.",
     "third point": "{letter} ist der Schnittpunkt der Bögen: {corners} behält seinen Umlaufsinn.",
     "on link slot": "{letter} ist der Schnittpunkt des Bogens mit der Geraden des Schlitzes.",
@@ -140,32 +138,30 @@ PHRASES = {
         "Coriolisbeschleunigung: *v* um 90° im Drehsinn von {omega} gedreht."
     ),
     "across velocity": (
-        "⟂ {bar} durch {point}: relativ zu {tail} kann sich {head} nur so bewegen, also liegt "
-        "{meeting} darauf."
+        "⟂ {bar} durch {point}: relativ zu {tail} bewegt sich {head} nur so, also liegt {meeting} "
+        "darauf."
     ),
     "across velocity strut": (
-        "⟂ {bar} durch {point}: außer längs {bar} zu gleiten kann sich {head} nur quer dazu "
-        "bewegen, also liegt {meeting} darauf."
+        "⟂ {bar} durch {point}: außer längs {bar} kann sich {head} nur quer bewegen, also liegt "
+        "{meeting} darauf."
     ),
     "across acceleration": (
-        "⟂ {bar} durch {point}: die Richtung ist bekannt, die Länge nicht, also liegt {meeting} "
-        "darauf."
+        "⟂ {bar} durch {point}: nur die Richtung ist bekannt, also liegt {meeting} darauf."
     ),
     "along velocity": (
         "∥ {line} durch {point}: anders kann sich {slide:der} {head} nicht bewegen, also liegt "
         "{meeting} darauf."
     ),
     "along velocity slot": (
-        "∥ {line} durch {point}: {line:im} kann sich {slide:der} {head} nur so bewegen, also "
+        "∥ {line} durch {point}: {line:im} kann {slide:der} {head} nur so gleiten, also "
         "liegt {meeting} darauf."
     ),
     "along velocity link": (
-        "∥ {line} durch {point}: auf {line:dem} kann sich {slide:der} {head} nur so bewegen, also "
-        "liegt {meeting} darauf."
+        "∥ {line} durch {point}: auf {line:dem} kann {slide:der} {head} nur so gleiten, also liegt "
+        "{meeting} darauf."
     ),
     "along acceleration": (
-        "∥ {line} durch {point}: die Richtung ist bekannt, die Länge nicht, also liegt {meeting} "
-        "darauf."
+        "∥ {line} durch {point}: nur die Richtung ist bekannt, also liegt {meeting} darauf."
     ),
     "crossing": "{letter} ist der Schnittpunkt der Geraden.",
     "crossing zero": "{letter} ist der Schnittpunkt der Geraden: {found}.",

@@ -82,8 +82,8 @@ PHRASES = {
     "angle": "The angle counts counter-clockwise from *x*.",
     "compass": "{head} lies on the circle about {tail}, radius {bar} = {size} {unit}.",
     "compass strut": (
-        "{head} lies on the circle about {tail}, radius {bar} = {size} {unit}, the given length "
-        "of the {link}."
+        "{head} lies on the circle about {tail}, radius {bar} = {size} {unit}, the length of "
+        "the {link}."
     ),
     "lever line": "The {link} from {tail} passes through {pin}.",
     "slot line": "The slot of the {link} passes through {pin}, and {head} lies on its line.",
