@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vad.batches.choices import Quantity, choices, nice
+import vad
+from vad.batches.choices import Quantity, choices, nice, offered
 from vad.errors import InputError
 
 CRANK = Quantity("length", "mm", usual=40.0, signed=False)
@@ -82,3 +83,9 @@ def test_what_is_none(value, quantity, part):
     with pytest.raises(InputError) as caught:
         choices(value, quantity)
     assert part in str(caught.value)
+
+
+def test_an_assembly_is_not_refused_for_the_usual_lengths():
+    assert offered(vad.FourBar, "assembly", ["parallel", "open"], None) == ("parallel", "open")
+    with pytest.raises(vad.InputError, match="unknown assembly 'paralel'"):
+        offered(vad.FourBar, "assembly", "paralel", None)

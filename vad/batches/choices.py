@@ -244,7 +244,11 @@ def offered(
 
 
 def _assemblies(kind: type[Mechanism], value: object) -> tuple[Value, ...]:
-    """Return the assemblies that are offered: words, or for a file places of points."""
+    """Return the assemblies that are offered: words, or for a file places of points.
+
+    Whether a word fits the lengths is seen in each sheet, whose lengths may be others.
+    """
+    known = next(each.metadata for each in fields(kind) if each.name == "assembly").get("choices")
     listed = value if isinstance(value, list | tuple) else [value]
     if not listed:
         raise InputError("assembly: the list is empty")
@@ -256,6 +260,7 @@ def _assemblies(kind: type[Mechanism], value: object) -> tuple[Value, ...]:
         if not isinstance(place, str | Mapping):
             raise InputError(f"assembly: must be a word or places of points, got {quoted(each)}")
         options: dict[str, Any] = {"assembly": place}
-        kind(**options)  # raises an error if it cannot be
+        if place not in (known or ()):
+            kind(**options)  # raises an error if it cannot be
         found.append(place)
     return tuple(found)
