@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 
 import numpy as np
 import pytest
@@ -122,3 +123,28 @@ def test_a_plot_names_what_has_no_room(vad, tmp_path):
     result = vad("sweep", "four-bar", *words)
     assert (result.code, [*tmp_path.iterdir()]) == (2, [])
     assert "a plot has room for 9 quantities" in result.err
+
+
+def test_pins_and_slowest_points_are_columns_of_a_turn(vad):
+    names = "coupler.slowest.velocity,coupler.slowest.distance"
+    words = ("--pin", "B 50", "--columns", names, "--from", "60", "--to", "70", "--steps", "2")
+    heads, rows = table(vad("sweep", "four-bar", *words, "-o", "-").out)
+    pose = vad("solve", "four-bar", "--angle", "60", "--pin", "B 50", "--merit", "--json")
+    merit = json.loads(pose.out)["merit"]
+    slow = merit["slowest"]["coupler"]
+    found = dict(zip(heads, rows[0], strict=True))
+    assert found["B.rubbing [mm/s]"] == pytest.approx(merit["rubbing"][0]["velocity"], rel=1e-12)
+    assert found["coupler.slowest.distance [mm]"] == pytest.approx(slow["distance"], rel=1e-9)
+    for axis, value in zip("xy", slow["velocity"], strict=True):
+        assert found[f"coupler.slowest.velocity {axis} [mm/s]"] == pytest.approx(value, rel=1e-9)
+
+
+def test_a_pin_is_a_column_beside_all_others(vad, tmp_path):
+    heads, _ = table(vad("sweep", "four-bar", "--pin", "B 50", "--steps", "3", "-o", "-").out)
+    assert heads[-1] == "B.rubbing [mm/s]"
+    assert "rocker.omega [rad/s]" in heads
+    result = vad("sweep", "four-bar", "--columns", "C.rubbing", "-o", "-")
+    assert (result.code in (1, 2), result.out) == (True, "")
+    assert "--pin 'C 50'" in result.err.splitlines()[1]
+    words = ("--pin", "B 50", "--columns", "coupler.slowest.position", "--steps", "9")
+    assert vad("sweep", "four-bar", *words, "-o", str(tmp_path / "turn.svg")).code == 0

@@ -66,6 +66,7 @@ def _unit(mechanism: Mechanism, name: str, burden: Burden | None) -> str:
         return vad.forces(
             vad.solve(mechanism), loads=loads, masses=masses, gravity=gravity, friction=friction
         ).drive_unit
-    of = {"position": "length", "coriolis": "acceleration"}
+    of = {"position": "length", "distance": "length"}
+    of |= {"coriolis": "acceleration", "rubbing": "velocity"}
     of |= dict.fromkeys(("transmission", "forward_angle", "return_angle"), "angle")
     return scene_unit(of.get(quantity, quantity), mechanism.length_unit)

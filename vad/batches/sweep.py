@@ -24,6 +24,7 @@ from vad.mechanisms import Mechanism
 from vad.merits.advantage import advantage
 from vad.merits.figures import ALONE as FIGURES
 from vad.merits.figures import figure, is_figure, merit_of
+from vad.merits.named_pins import is_of_pins, type_of, values_of
 from vad.statics.forces import DRIVE, FORCE, Forces, forces
 from vad.statics.solver import KINDS
 
@@ -39,6 +40,7 @@ def sweep(
     mechanism: Mechanism,
     results: Iterable[str] | str,
     *,
+    pins: Mapping[str, Any] | None = None,
     loads: Iterable[Any] = (),
     masses: Mapping[str, Any] | None = None,
     gravity: Any = None,
@@ -59,6 +61,11 @@ def sweep(
         all poses of a mechanism: ``"stroke"``, ``"time_ratio"``, ``"forward_angle"``,
         ``"return_angle"``, and of any result or ``"transmission"`` the ends of its range and the
         places where they occur, as in ``"transmission.least"``, ``"C.velocity.largest_at"``.
+        ``"B.rubbing"`` is the velocity of rubbing at a pin, ``"C.coupler.rod.rubbing"`` where it
+        joins more than two bodies; ``"coupler.slowest.velocity"``, ``.position`` and ``.distance``
+        are those of the slowest point of a link, as `merit` has them.
+    pins
+        The diameters of the pins whose rubbing is asked for, by their points: ``{"B": 50}``.
     loads, masses, gravity, friction
         As for `forces`: numbers that are the same in all poses.
     **inputs
@@ -87,16 +94,20 @@ def sweep(
     >>> swept["yoke.velocity"]
     array([   0., -500.])
     """
-    names = _names(results)
+    names, pins = _names(results), {} if pins is None else pins
     burden = {"loads": loads, "masses": masses, "gravity": gravity, "friction": friction}
     varied = mechanism.varied if isinstance(mechanism, Mechanism) else {}
     lazy = {name: value for name, value in (inputs | varied).items() if gate.is_lazy(value)}
     one = _one(mechanism) if varied else mechanism
     known = {name: 0.0 if name in lazy else value for name, value in inputs.items()}
     motion = _loaded(solve(one, **known), names, burden)  # checks what is known by now
-    dtype = np.dtype([_field(motion, name) for name in names])
+    dtype = np.dtype([_field(motion, name, pins) for name in names])
     if not lazy:
-        return _swept(mechanism, inputs, dtype, burden) if varied else _solved(motion, dtype)
+        return (
+            _swept(mechanism, inputs, dtype, burden, pins)
+            if varied
+            else _solved(motion, dtype, pins)
+        )
     da: Any = sys.modules["dask.array"]
 
     for name, value in lazy.items():
@@ -118,6 +129,7 @@ def sweep(
         single=single,
         results=dtype,
         burden=burden,
+        pins=pins,
         dtype=dtype,
         meta=np.empty((0,) * arrays[0].ndim, dtype),
     )
@@ -130,27 +142,34 @@ def _block(
     single: dict[str, Any],
     results: np.dtype[Any],
     burden: dict[str, Any],
+    pins: Mapping[str, Any],
 ) -> NDArray[Any]:
     """Solve one block of inputs, which are in ``arrays`` under their ``names``."""
     given = single | dict(zip(names, arrays, strict=True))
     varied = {name: given.pop(name) for name in list(given) if name not in mechanism.inputs}
-    return _swept(replace(mechanism, **varied), given, results, burden)
+    return _swept(replace(mechanism, **varied), given, results, burden, pins)
 
 
 def _swept(
-    mechanism: Mechanism, inputs: dict[str, Any], results: np.dtype[Any], burden: dict[str, Any]
+    mechanism: Mechanism,
+    inputs: dict[str, Any],
+    results: np.dtype[Any],
+    burden: dict[str, Any],
+    pins: Mapping[str, Any],
 ) -> NDArray[Any]:
     """Solve arrays of inputs.
 
-    Where dimensions vary, forces and figures of merit are found for one mechanism after another.
+    Where dimensions vary, forces, figures of merit, rubbing and slowest points are found for one
+    mechanism after another.
     """
     motion, names = solve(mechanism, **inputs), results.names or ()
-    if not mechanism.varied or not (_has_forces(names) or any(map(is_figure, names))):
-        return _solved(_loaded(motion, names, burden), results)
+    alone = _has_forces(names) or any(is_figure(name) or is_of_pins(name) for name in names)
+    if not mechanism.varied or not alone:
+        return _solved(_loaded(motion, names, burden), results, pins)
     found = np.full(math.prod(motion.shape), np.nan, results)
     for single, at in single_ones(mechanism, motion.shape):
         one = solve(single, **inputs_at(motion.inputs, motion.shape, at))
-        found[at] = _solved(_loaded(one, names, burden), results)
+        found[at] = _solved(_loaded(one, names, burden), results, pins)
     return found.reshape(motion.shape)
 
 
@@ -172,12 +191,14 @@ def _has_forces(names: Iterable[str]) -> bool:
     return any(name in (DRIVE, _ADVANTAGE) or name.endswith(FORCE) for name in names)
 
 
-def _solved(motion: Solved | Loaded, dtype: np.dtype[Any]) -> NDArray[Any]:
+def _solved(motion: Solved | Loaded, dtype: np.dtype[Any], pins: Mapping[str, Any]) -> NDArray[Any]:
     """Return the results and the figures of merit by which the fields are named."""
     names = dtype.names or ()
     figures = [name for name in names if is_figure(name) or name == _ADVANTAGE]
-    results = np.dtype([(name, dtype[name]) for name in names if name not in figures])
-    if not figures:
+    of_pins = [name for name in names if is_of_pins(name)]
+    others = [name for name in names if name not in (*figures, *of_pins)]
+    results = np.dtype([(name, dtype[name]) for name in others])
+    if len(others) == len(names):
         return _poses(motion, dtype)
     moving = motion.motion if isinstance(motion, Forces) else motion
     found = np.full(moving.shape if motion.many else (), np.nan, dtype)
@@ -185,6 +206,8 @@ def _solved(motion: Solved | Loaded, dtype: np.dtype[Any]) -> NDArray[Any]:
         solved = _poses(motion, results)
         for name in results.names:
             found[name] = solved[name]
+    for name, values in values_of(moving, of_pins, pins).items():
+        found[name] = values
     merit = merit_of(moving) if any(map(is_figure, figures)) else None
     for name in figures:
         found[name] = (
@@ -229,10 +252,15 @@ def _names(results: Iterable[str] | str) -> list[str]:
     return list(dict.fromkeys(listed))
 
 
-def _field(solution: Solved | Loaded, name: str) -> tuple[str, type, tuple[int, ...]]:
+def _field(
+    solution: Solved | Loaded, name: str, pins: Mapping[str, Any]
+) -> tuple[str, type, tuple[int, ...]]:
     """Return a result's name, type and shape: of a vector in space, three numbers."""
     if is_figure(name) or name == _ADVANTAGE:
         return name, float, ()
+    if is_of_pins(name):
+        moving = solution.motion if isinstance(solution, Forces) else solution
+        return name, type_of(moving, name, pins), ()
     kind, part, _ = _result(solution, name)
     if kind in KINDS:
         return name, float if kind == DRIVE else complex, ()

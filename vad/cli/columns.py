@@ -20,6 +20,7 @@ from vad.errors import UsageError, quoted, unknown
 from vad.export import table_csv
 from vad.export.sweep import Column, Table, check_closes, save_table
 from vad.mechanisms import Mechanism
+from vad.merits.named_pins import rubbing_names
 from vad.units import DIMENSIONS, scene_unit
 
 _MOST = 1_000_000
@@ -32,6 +33,7 @@ def chosen_columns(
     over: str | None = None,
     columns: tuple[str, ...] = (),
     look: dict[str, Any] | None = None,
+    pin: dict[str, float] | None = None,
     **ends: Any,
 ) -> None:
     """Write chosen columns to a file, whose extension chooses the format, or as CSV for ``-``."""
@@ -49,10 +51,19 @@ def chosen_columns(
             raise UsageError(f"{flag(wrong)} does not go with --over", hint)
         varied: dict[str, Any] = {name: places}
         swept, given = replace(mechanism, **varied), inputs
-    names = columns or _all(mechanism)
+    pins = pin or {}
+    rubs = rubbing_names(vad.solve(mechanism), pins)
+    names = (*(columns or _all(mechanism)), *rubs)
     loads, masses, gravity, friction = burden or ((), None, None, None)
     found = vad.sweep(
-        swept, names, loads=loads, masses=masses, gravity=gravity, friction=friction, **given
+        swept,
+        names,
+        pins=pins,
+        loads=loads,
+        masses=masses,
+        gravity=gravity,
+        friction=friction,
+        **given,
     )
     listed = columns_of(mechanism, found, burden)
     check_closes(any(np.isfinite(column.values).any() for column in listed))

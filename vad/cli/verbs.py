@@ -281,7 +281,9 @@ def sweep(mechanism: Mechanism, inputs: Inputs, output: str, **ends: Any) -> Non
         hint = f"a sweep runs --from one {driven} --to another"
         raise UsageError(f"--{driven} goes with --over, in whose pose a dimension varies", hint)
     look = _pop(ends, "style", "language")
-    if "over" in ends or "columns" in ends or output == "-":
+    if not ends.get("pin"):
+        ends.pop("pin", None)
+    if {"over", "columns", "pin"} & ends.keys() or output == "-":
         from vad.cli.columns import chosen_columns
 
         chosen_columns(mechanism, inputs, output, look=look, **ends)
@@ -402,6 +404,7 @@ VERBS: tuple[click.Command, ...] = (
                 help="rocker.angle, C.velocity, transmission, drive, stroke, C.velocity.largest …  "
                 "[all]",
             ),
+            pin_option(),
             *_LOOK,
             *burden_options(),
         ],

@@ -32,6 +32,7 @@ SYMBOLS = {
     "omega": "$\\omega$",
     "alpha": "$\\alpha$",
     "position": "$s$",
+    "distance": "$s$",
     "velocity": "$v$",
     "acceleration": "$a$",
     "coriolis": "$a_\\mathrm{C}$",

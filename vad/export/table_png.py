@@ -35,8 +35,10 @@ _WORDS = {
     "return_angle": "return angle",
     "advantage": "mechanical advantage",
     "drive": "drive",
+    "rubbing": "merit rubbing",
 }
 _ENDS = {"least": "min", "largest": "max", "least_at": "min", "largest_at": "max"}
+_SLOWEST = ".slowest"
 #: The least share of a plot's width in which "does not close" is written.
 _ROOM = 0.3
 #: From the edge of the picture to a plot, and from one plot to the next, in widths of the picture.
@@ -184,6 +186,14 @@ class _Texts:
         if name.quantity == "force":
             one, _, other = name.owner.partition(".")
             text = say.say("force of one on another", one=say.name(one), other=say.name(other))
+            return text, text
+        if name.quantity == "rubbing" and "." in name.owner:
+            pin, one, other = name.owner.split(".")
+            text = say.say("merit pair", pin=pin, one=say.name(one), other=say.name(other))
+            return text, text
+        if name.owner.endswith(_SLOWEST):
+            link = say.name(name.owner.removesuffix(_SLOWEST))
+            text = f"{link}: {self._words('merit slowest')}"
             return text, text
         if name.owner in self._letters:
             word, letters = say.name(name.owner), self._letters[name.owner]
