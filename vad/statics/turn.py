@@ -49,7 +49,8 @@ class Turning:
         if angles.shape[-1] not in (count, count + 1):
             raise InputError("angle: must run through one turn, no more and no less", hint)
         if not np.isfinite(drive).all():
-            raise InputError("forces: the drive is not known at every angle of the turn", None)
+            lasting = "links with which the driver goes all the way round"
+            raise InputError("forces: the drive is not known at every angle of the turn", lasting)
         # Energy is gained in the sense in which the driver turns.
         self._drive = drive[..., :count]
         self._sense = math.copysign(1.0, step)
