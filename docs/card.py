@@ -1,4 +1,7 @@
-"""The picture of a card: where the mechanism stands, without letters, cut to its ink."""
+"""The picture of a card: where the mechanism stands, without letters, cut to its ink.
+
+It has what the strokes of its position draw: no senses of rates, which nothing would name.
+"""
 
 from __future__ import annotations
 
@@ -53,7 +56,7 @@ def _cut(sheet: Sheet, key: float) -> Cut:
     drawn = [
         replace(item, marks=tuple(mark for mark in item.marks if not _says(mark)))
         for item in page.shown(page.finished)
-        if item.region == panel
+        if item.region == panel and item.stroke.startswith(f"{panel}:")
     ]
     kept = [item for item in drawn if item.marks]
     ink = reach(kept)

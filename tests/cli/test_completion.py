@@ -78,7 +78,7 @@ def test_the_names_that_an_option_takes(offered):
     assert offered("vad draw four-bar --style ") == plain(*style_names())
     assert offered("vad draw four-bar --assembly ") == plain("open", "crossed", "parallel")
     assert offered("vad animate four-bar --language d") == plain("de")
-    assert offered("vad draw four-bar --paper A") == plain("A4", "A3")
+    assert offered("vad draw four-bar --paper A") == plain("A4", "A3", "A4-portrait", "A3-portrait")
     assert offered("vad solve four-bar --length-unit f") == plain("ft")
     assert offered("vad draw four-bar --panels ") == plain(*DIAGRAMS)
     assert offered("vad draw four-bar --panels velocity,") == plain(

@@ -6,10 +6,13 @@ for both, "ω₃, α₃"; where α is against ω, each has its own.
 
 from __future__ import annotations
 
+import cmath
 import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+
+import numpy as np
 
 from vad.plan.geometry import direction_of
 from vad.plan.items import FOREVER, Item, Level, Span
@@ -36,6 +39,8 @@ SIZES = (
     (0.040, 84.0),
     (0.155, 32.0),
 )
+#: Where an arrow is tried, as shares of its span from its middle: 8° apart at most.
+SHARES = np.linspace(-0.5, 0.5, 12)
 #: From the link to the middle of the arrow, in degrees; at 0 the arrow runs across its link.
 AWAY = tuple(sorted(range(-180, 180, 15), key=abs))
 LETTER = 0.030
@@ -175,15 +180,14 @@ def _place(
     )
     wide, high = ink_size(symbols(sense.text), LETTER)
     arcs = list(_arcs(bars, sense.sign))
-    lines = [Bow(at, radius, middle - span / 2, span).line() for at, radius, span, middle in arcs]
-    points = [point for line in lines for point in line]
-    ends = list(itertools.accumulate(map(len, lines), initial=0))
-    free = others.free(points, 0.0, 0.0, CLEAR)
-    for (at, radius, span, middle), line, first, last in zip(
-        arcs, lines, ends, ends[1:], strict=False
-    ):
-        pairs = list(itertools.pairwise(line))
-        if not free[first:last].all() or not obstacles.clear_of_labels(pairs, CLEAR).all():
+    centres, radii, spans, middles = (
+        np.array(each)[:, np.newaxis] for each in zip(*arcs, strict=True)
+    )
+    lines = centres + radii * np.exp(1j * np.radians(middles + spans * SHARES))
+    free = others.free(lines.ravel(), 0.0, 0.0, CLEAR).reshape(lines.shape).all(axis=1)
+    for found in np.flatnonzero(free).tolist():
+        (at, radius, span, middle), line = arcs[found], lines[found].tolist()
+        if not obstacles.clear_of_labels([*itertools.pairwise(line)], CLEAR).all():
             continue
         own = Obstacles(obstacles.edge)
         own.line(line, 2.0 * PIXEL)
@@ -200,16 +204,14 @@ def _arcs(
     bars: Sequence[tuple[complex, complex]], sign: float
 ) -> Iterator[tuple[complex, float, float, float]]:
     """Yield places of arrows: centre, radius, span and middle, those on the link first."""
-    for away, (radius, span), (start, end) in itertools.product(AWAY, SIZES, bars):
-        way = direction_of(start, end)
-        for at, ahead in ((start, way), (end, -way)):
-            if radius < 0.9 * abs(end - start) or abs(away) > 60:
-                yield (
-                    at,
-                    radius,
-                    span,
-                    math.degrees(math.atan2(ahead.imag, ahead.real)) + sign * away,
-                )
+    sides = [
+        (at, math.degrees(cmath.phase(to - at)), 0.9 * abs(to - at))
+        for start, end in bars
+        for at, to in ((start, end), (end, start))
+    ]
+    for away, (radius, span), (at, ahead, most) in itertools.product(AWAY, SIZES, sides):
+        if radius < most or abs(away) > 60:
+            yield at, radius, span, ahead + sign * away
 
 
 def _names(
