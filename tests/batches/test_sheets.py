@@ -24,6 +24,8 @@ HEAD = '[sheet]\nmechanism = "four-bar"\n'
         (HEAD + 'files = ["problem.mp4"]\n', "3: files: 'problem.mp4': only a picture can be a"),
         (HEAD + 'blank = "velosity"\n', "3: blank: unknown panel 'velosity'"),
         (HEAD + 'files = "a.pdf"\nblank = "velocity"', "1: blank: none of the files is the"),
+        (HEAD + 'files = "a.pdf"\ntask = "x"', "1: task: none of the files is the"),
+        (HEAD + 'task = ""\n', "3: task: is empty"),
         (HEAD + 'points = { P = ["rod", 60] }\n', "3: point P: unknown link 'rod'"),
         (HEAD + 'files = ["a.tex"]\n', "3: files: 'a.tex': has a second file beside it, which"),
         (HEAD + 'title = ""\n', "3: title: is empty"),

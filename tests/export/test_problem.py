@@ -11,11 +11,15 @@ import pytest
 
 import vad
 from tests.painting.readers import pdf_text
-from vad.errors import UsageError
+from vad.errors import UsageError, VadError
 from vad.mechanisms import Mechanism
 from vad.painting.posed import Posed, posed
+from vad.plan.board import reach
+from vad.plan.geometry import Rect
+from vad.plan.items import TASK, Item, Level
 from vad.plan.marks import Lettering, Mark
 from vad.strokes.sheet import Cell, Sheet
+from vad.words import Language
 
 ASKED = ("velocity", "acceleration")
 PAGES: dict[str, dict[str, object]] = {
@@ -70,6 +74,10 @@ def test_the_key_has_all_of_the_problem_at_the_same_places(name: str, page: str)
     problem, whole = pair(name, page)
     key = {(mark.shape, mark.role, mark.row) for mark in shown(whole)}
     own = [mark for mark in shown(problem) if mark.role != "writing line"]
+    own = [mark for mark in own if mark not in shown(problem, TASK)]
+    titles = [mark for mark in own if words([mark]) == ["Values"]]  # of the table
+    own = [mark for mark in own if mark not in titles]
+    assert len(titles) == (not problem.board.page.columns)
     assert all((mark.shape, mark.role, mark.row) in key for mark in own)
 
 
@@ -92,7 +100,8 @@ def test_a_blank_panel_holds_its_pole_and_its_scale(name: str, page: str) -> Non
 @pytest.mark.parametrize(("name", "page"), CASES)
 def test_what_is_asked_has_a_line_to_be_written_on(name: str, page: str) -> None:
     problem, key = pair(name, page)
-    lines = [mark.shape.pieces[0] for mark in shown(problem) if mark.role == "writing line"]
+    table = shown(problem, "results")
+    lines = [mark.shape.pieces[0] for mark in table if mark.role == "writing line"]
     assert len(lines) == sum(not cell.given for cell in cells_of(key.sheet, *ASKED))
     area = problem.board.regions["results"]
     for start, end in lines:
@@ -104,6 +113,72 @@ def test_what_is_asked_has_a_line_to_be_written_on(name: str, page: str) -> None
 
 def _reading(line: tuple[complex, complex]) -> tuple[float, float]:
     return -line[0].imag, line[0].real
+
+
+def box(mark: Mark) -> Rect:
+    return reach([Item("", TASK, Level.GROUND, (mark,))])
+
+
+def apart(one: Rect, other: Rect) -> bool:
+    beside = one.right <= other.left or other.right <= one.left
+    return beside or one.top <= other.bottom or other.top <= one.bottom
+
+
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+@pytest.mark.parametrize("page", [*PAGES, "upright"])
+@pytest.mark.parametrize("name", ["slider-crank", "four-bar", "whitworth"])
+def test_a_task_and_a_name_stand_where_the_key_is_free(name: str, page: str, language: str) -> None:
+    machine = SCENES.get(name, vad.Whitworth(rod=300))
+    sheet = vad.draw(vad.solve(machine), language=language)
+    look = PAGES.get(page, {"paper": "A4-portrait"})
+    problem = posed(sheet, **look, blank=ASKED)
+    own = shown(problem, TASK)
+    say = Language(language).say
+    texts = words(own)
+    assert texts[0] == say("name") and texts[1] == say("class") and len(texts) > 2
+    assert sum(mark.role == "writing line" for mark in own) == 2
+    whole = Rect(0.0, 0.0, problem.board.form.width, problem.board.form.height)
+    others = [box(mark) for mark in shown(problem) if mark not in own]
+    others += [problem.board.page.panels[panel].drawing for panel in ASKED]
+    for mark in own:
+        place = box(mark)
+        assert whole.left <= place.left and place.right <= whole.right
+        assert whole.bottom <= place.bottom and place.top <= whole.top
+        assert all(apart(place, other) for other in others)
+    for number, mark in enumerate(own):
+        assert all(apart(box(mark), box(other)) for other in own[:number])
+    assert (say("working") in texts) == ("paper" in look)
+    assert not shown(posed(sheet, **look), TASK)
+
+
+def test_a_task_says_what_is_given_drawn_and_found() -> None:
+    said = " ".join(words(shown(pair("four-bar", "A4")[0], TASK)))
+    assert "Given: θ2 = 60°, ω2 = 10 rad/s and α2 = 0 rad/s2." in said.replace("\xa0", " ")
+    assert "Draw the velocity polygon and the acceleration polygon" in said
+    assert "find ω3, α3, ω4 and α4." in said.replace("\xa0", " ")
+
+
+def test_a_task_of_ones_own(folder: Path) -> None:
+    sheet = sheet_of("slider-crank")
+    vad.save(sheet, "own.svg", blank=ASKED, task="Find the speed of C.", text="letters")
+    assert "Find the speed of C." in Path("own.svg").read_text("utf-8")
+    bare = posed(sheet, blank=ASKED, task=False)
+    assert not shown(bare, TASK)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"blank": ASKED, "task": "word " * 60}, "task: has 299 letters; this page has no room"),
+        ({"blank": ASKED, "task": "a" * 500}, "task: has 500 letters"),
+        ({"blank": ASKED, "task": " "}, "task: is empty"),
+        ({"task": "Find v."}, "task: is for a problem sheet"),
+    ],
+)
+def test_a_task_that_cannot_be(folder: Path, options: dict[str, object], message: str) -> None:
+    with pytest.raises(VadError, match=re.escape(message)):
+        vad.save(sheet_of("slider-crank"), "a.png", **options)
+    assert not list(folder.iterdir())
 
 
 def test_no_answer_is_in_the_file(folder: Path) -> None:
@@ -130,7 +205,7 @@ def test_a_position_is_drawn_from_its_fixed_points() -> None:
 
 def test_a_driver_that_stands_still_asks_all_the_same() -> None:
     problem = posed(sheet_of("four-bar", omega=0), blank="velocity")
-    assert sum(mark.role == "writing line" for mark in shown(problem)) == 2
+    assert sum(mark.role == "writing line" for mark in shown(problem, "results")) == 2
 
 
 @pytest.mark.parametrize(
@@ -177,3 +252,12 @@ def test_inertia_forces_are_left_where_the_accelerations_are() -> None:
     assert "position:P4E.load" in there
     assert not [name for name in there if ":I3G" in name or ":C3" in name]
     assert "position:I3G.load" in strokes_on("position", ("force",), coupler=coupler)
+
+
+def test_a_batch_writes_the_task_upon_the_problem_alone(folder: Path) -> None:
+    lines = ['mechanism = "four-bar"', "count = 1", 'files = ["problem.svg", "key.svg"]']
+    own = 'task = "Find the velocity of C."'
+    Path("one.toml").write_text("\n".join(["[sheet]", *lines, own]), "utf-8")
+    vad.batch("one.toml", "made")
+    assert "Find the velocity of C." in Path("made/001-problem.svg").read_text("utf-8")
+    assert "Find the velocity of C." not in Path("made/001-key.svg").read_text("utf-8")

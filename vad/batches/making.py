@@ -105,8 +105,9 @@ def _save(
     if "paper" in names:
         names.discard("size")  # a page in true scale has the size of its paper
     look = _only(options, *names)
+    look.pop("task", None)  # the key has none
     if is_problem(name):
-        look["blank"] = blank
+        look |= {"blank": blank, **_only(options, "task")}
     vad.save(sheet, path, **look)
 
 

@@ -145,7 +145,9 @@ def _png(sheet: Sheet, style: str | None, blank: tuple[str, ...]) -> bytes:
     """Return a picture; panels named in ``blank`` are left to be drawn."""
     with temporary_folder() as folder:
         path = Path(folder, "picture.png")
-        vad.save(sheet, path, size=SIZE, style=style, blank=blank or None)
+        # The question says the task, and a question bank knows the name.
+        problem: Any = {"blank": blank, "task": False} if blank else {}
+        vad.save(sheet, path, size=SIZE, style=style, **problem)
         return path.read_bytes()
 
 

@@ -30,7 +30,7 @@ from vad.lecture.lesson import Lesson, checked
 from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names
 from vad.statics.burden import NOTHING, Burden
-from vad.strokes import titling
+from vad.strokes import task, titling
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Sheet
 from vad.style import GROUP as STYLES
@@ -155,6 +155,7 @@ WORDS: dict[str, Callable[[object], Any]] = {
     "length_unit": _unit,
     "title": lambda value: titling.checked("", value),
     "subtitle": lambda value: titling.checked("", value),
+    "task": lambda value: task.checked("", value),
     "superpose": _flag,
     "points": lambda value: dict(link_points(value)),
     **BURDEN_WORDS,
@@ -216,11 +217,13 @@ def recipe(
     Raises
     ------
     vad.errors.InputError
-        If panels are to be left blank, but no file is a problem.
+        If panels are to be left blank or a task is given, but no file is a problem.
     """
     files = words.get("files", (f"{PROBLEM}.pdf", "key.pdf"))
     if words.get("blank") and not any(map(is_problem, files)):
         raise InputError("blank: none of the files is the problem", 'call one "problem.pdf"')
+    if "task" in words and not any(map(is_problem, files)):
+        raise InputError("task: none of the files is the problem", 'call one "problem.pdf"')
     options = {"paper": "A4"} | {
         name: value for name, value in words.items() if name not in _OF_THE_BATCH
     }

@@ -39,7 +39,7 @@ Callback = Callable[[click.Context, click.Parameter, Any], Any]
 OWN = {
     *("help", "from", "to", "start", "stop", "point", "json", "as_json", "o", "output"),
     "digits",
-    *("panels", "style", "language", "size", "paper", "blank", "at", "turn"),
+    *("panels", "style", "language", "size", "paper", "blank", "task", "at", "turn"),
     *("fps", "speed", "still", "loop", "plain", "subtitles", "steps", "port", "no_browser"),
     *("script", "pause", "title", "subtitle"),
     *("load", "mass", "inertia", "gravity", "friction", "superpose", "centrode"),

@@ -106,6 +106,9 @@ _BLANK = click.Option(
     metavar="NAME,NAME",
     help="a problem sheet: students draw these panels  [none]",
 )
+_TASK = click.Option(
+    ["--task"], metavar="TEXT", help="the task of a problem sheet  [what is left to be drawn]"
+)
 _FILM = [
     click.Option(["--fps"], type=float, help="frames per second  [30]"),
     click.Option(["--speed"], type=float, help="2 is twice as fast  [1]"),
@@ -170,11 +173,15 @@ def draw(
     format_of(made, output)
     if "paper" in options and kind != ".pdf":
         raise UsageError(f"--paper is for PDF, not for '{output}'", hint="as in -o sheet.pdf")
+    if "task" in options and "blank" not in options:
+        raise UsageError("--task is for a problem sheet", hint="as in --blank velocity")
     if "blank" in options and kind == ".json":
         raise UsageError(
             f"--blank is for pictures, not for '{output}'", hint="as in -o problem.pdf"
         )
-    look = _pop(options, "style", "size", "paper", "blank", *own_options([FORMATS[made][kind]]))
+    look = _pop(
+        options, "style", "size", "paper", "blank", "task", *own_options([FORMATS[made][kind]])
+    )
     drawn: Sheet | Multiples | Turn
     if at is not None:
         drawn = _multiples(mechanism, inputs, at, burden, **options)
@@ -357,6 +364,7 @@ VERBS: tuple[click.Command, ...] = (
             _SIZE,
             _PAPER,
             _BLANK,
+            _TASK,
             pin_option(),
             _AT,
             _POSITIONS,

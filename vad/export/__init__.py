@@ -113,6 +113,7 @@ class Options(TypedDict, total=False):
     style: str | None
     paper: str | None
     blank: Sequence[str] | str | None
+    task: str | Literal[False] | None
     text: Literal["glyphs", "letters"]
     threads: int
     no_sliders: bool
@@ -147,6 +148,8 @@ def save(
         is called with the number of frames that are done and their total.  Every picture of a sheet
         takes ``blank``, the names of panels that are left to be drawn: saved with them it is the
         problem, without them the key, at the same places and scales.
+        With ``blank`` goes ``task``, the task in words of one's own; ``task=False`` leaves
+        it out with the lines for name and class.
 
     Raises
     ------
@@ -226,7 +229,7 @@ def options_of(kind: type, extension: str) -> tuple[str, ...]:
     Examples
     --------
     >>> options_of(Sheet, ".png")
-    ('size', 'style', 'blank')
+    ('size', 'style', 'blank', 'task')
     """
     return _parameters(FORMATS[kind][extension])
 

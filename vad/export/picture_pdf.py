@@ -6,7 +6,7 @@ It is of a sheet, a step of a lesson, several poses, or a turn with numbered pos
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import BinaryIO
+from typing import BinaryIO, Literal
 
 from vad.errors import UsageError
 from vad.lecture.lesson import Still
@@ -24,6 +24,7 @@ def write(
     style: str | None = None,
     paper: str | None = None,
     blank: Sequence[str] | str | None = None,
+    task: str | Literal[False] | None = None,
 ) -> None:
     """Write one page; a pixel of the same picture, which has ``size``, becomes a point.
 
@@ -39,7 +40,7 @@ def write(
     if paper is not None and (size is not None or isinstance(thing, Still)):
         what = "a step of a lesson" if isinstance(thing, Still) else "a picture with a size"
         raise UsageError(f"paper: not for {what}", hint="a whole sheet takes the paper's size")
-    shown = posed(thing, size, style, paper, blank)
+    shown = posed(thing, size, style, paper, blank, task)
     painter = PdfPainter(shown.title, shown.sheet.language)
     shown.play(painter)
     painter.write(target, [shown.description])

@@ -6,7 +6,7 @@ It is of a sheet, a step of a lesson, several poses, or a turn with numbered pos
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import BinaryIO
+from typing import BinaryIO, Literal
 
 from vad.lecture.lesson import Still
 from vad.lecture.turn import Turn
@@ -22,9 +22,10 @@ def write(
     size: tuple[int, int] | None = None,
     style: str | None = None,
     blank: Sequence[str] | str | None = None,
+    task: str | Literal[False] | None = None,
 ) -> None:
     """Write the picture, ``size`` in pixels; panels named in ``blank`` are left to be drawn."""
-    encode(posed(thing, size, style, blank=blank), target)
+    encode(posed(thing, size, style, blank=blank, task=task), target)
 
 
 def encode(shown: Posed, target: BinaryIO) -> None:

@@ -6,7 +6,7 @@ It is of a sheet, a step of a lesson, several poses, or a turn with numbered pos
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import BinaryIO
+from typing import BinaryIO, Literal
 
 from vad.lecture.lesson import Still
 from vad.lecture.turn import Turn
@@ -23,6 +23,7 @@ def write(
     style: str | None = None,
     text: TextForm = "glyphs",
     blank: Sequence[str] | str | None = None,
+    task: str | Literal[False] | None = None,
 ) -> None:
     """Write the picture; ``size`` is that of the same picture in pixels.
 
@@ -30,7 +31,7 @@ def write(
     in an embedded font.  Either way a browser selects and searches it.  Panels named in ``blank``
     are left to be drawn.
     """
-    shown = posed(thing, size, style, blank=blank)
+    shown = posed(thing, size, style, blank=blank, task=task)
     painter = SvgPainter(shown.sheet, text, shown.description)
     shown.play(painter)
     target.write(b'<?xml version="1.0" encoding="UTF-8"?>\n' + painter.svg.encode())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +25,7 @@ from vad.plan.stage import Stage
 from vad.strokes.description import describe, title
 from vad.strokes.multiples import Multiples
 from vad.strokes.sheet import Sheet
+from vad.strokes.task import checked
 from vad.style import Style, load_style
 
 SIZE = (1280, 720)
@@ -65,16 +67,22 @@ def posed(
     style: str | None = None,
     paper: str | None = None,
     blank: Sequence[str] | str | None = None,
+    task: str | Literal[False] | None = None,
 ) -> Posed:
     """Return a picture on its page; a step of a lesson has a size and a style already.
 
     A turn stands still, with twelve numbered positions; it has its own size and style unless
     others are given.  ``paper`` is the name of a size of paper, whose format and true scale the
-    page takes; ``blank`` names panels of a sheet that are left to be drawn.
+    page takes; ``blank`` names panels of a sheet that are left to be drawn,
+    and ``task`` says in words what to do, instead of the words that the program has for it; False
+    leaves out the task and the lines for name and class.
     """
     if blank is not None and not isinstance(thing, Sheet):
         what = {Still: "a step of a lesson", Turn: "a turn", Multiples: "several poses"}
         raise UsageError(f"blank: not for {what[type(thing)]}", hint="for a whole sheet")
+    if task is not None and blank is None:
+        raise UsageError("task: is for a problem sheet", hint="as in blank='velocity'")
+    own = "" if task is None else checked("task", task) if task is not False else None
     if isinstance(thing, Still):
         lesson = thing.lesson
         return Posed(board_of(lesson), thing.moment, load_style(lesson.style), thing.drawn)
@@ -93,7 +101,7 @@ def posed(
     left = {} if blank is None else blank_panels(thing, blank)
     board = plan(thing, form, look.key)
     if left:
-        board = problem(board, left, look.key)
+        board = problem(board, left, look.key, own)
     strokes = {**{half.name: half.strokes for half in thing.halves}, **left}
     return Posed(board, Moment(board.finished), look, drawn_so_far(thing, strokes))
 

@@ -15,6 +15,8 @@ FOREVER = 1_000_000
 
 #: The regions of a page that belong to no panel; that of a panel's drawing is the panel's name.
 TITLE, RESULTS, CAPTION = "title", "results", "caption"
+#: The whole page of a problem sheet, for the task and the lines for name and class.
+TASK = "task"
 #: The whole page, over everything else: what flies from one panel to another while a stroke is
 #: drawn.  Each of its items grows, and is gone at the next beat.
 FLIGHT = "flight"

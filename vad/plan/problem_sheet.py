@@ -13,11 +13,25 @@ from itertools import chain
 from vad import gate
 from vad.errors import one_of
 from vad.plan.board import Plan
-from vad.plan.items import FOREVER, RESULTS, Item, Level, foot_of, head_of
+from vad.plan.geometry import Rect
+from vad.plan.items import (
+    FOREVER,
+    RESULTS,
+    TASK,
+    Item,
+    Level,
+    foot_of,
+    head_of,
+    in_painting_order,
+)
+from vad.plan.lettering.runs import bold, roman
+from vad.plan.marks import Lettering
 from vad.plan.page.table import table
+from vad.plan.page.task import upon_problem
 from vad.strokes.reveals import measurer
 from vad.strokes.sheet import POLE, Sheet, Stroke, StrokePart
 from vad.strokes.telling import BEFORE_INERTIA
+from vad.words import Language
 
 #: The panel of the force polygons.
 FORCES = "force"
@@ -49,7 +63,7 @@ def _is_given(stroke: Stroke) -> bool:
     return stroke.kind in ("pole", "fixed") or stroke.part in (POLE, CIRCLE)
 
 
-def problem(key: Plan, blank: Blank, line: float) -> Plan:
+def problem(key: Plan, blank: Blank, line: float, task: str | None = "") -> Plan:
     """Return the plan of a problem.
 
     Parameters
@@ -60,6 +74,14 @@ def problem(key: Plan, blank: Blank, line: float) -> Plan:
         What is left to be drawn.
     line
         The length of the line before a row's name, with which the key was made.
+    task
+        The task in words; empty for one that the sheet words itself, None for no task and no lines
+        for a name.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        If the task is too long for the page.
     """
     panels = [key.sketches[name].setting.panel for name in blank]
     answers = {panel.full(stroke.name) for panel in panels for stroke in panel.strokes}
@@ -75,7 +97,27 @@ def problem(key: Plan, blank: Blank, line: float) -> Plan:
             marks = [entry.marks if cell.given else entry.blank for cell, entry in both]
             if not all(cell.given for cell in row.cells.get(name, ())):  # those stand there
                 items.append(Item("", RESULTS, Level.LABEL, tuple(chain(*marks))))
-    return replace(key, items=tuple(items))
+    items = [_renamed(item, key.sheet) for item in items]
+    if task is None:
+        return replace(key, items=tuple(items))
+    items += upon_problem(key, items, blank, task)
+    regions = {**key.regions, TASK: Rect(0.0, 0.0, key.page.width, key.page.height)}
+    return replace(key, items=tuple(in_painting_order(items, regions)), regions=regions)
+
+
+def _renamed(item: Item, sheet: Sheet) -> Item:
+    """Return an item in which the title of the table does not speak of results."""
+    if item.region != RESULTS:
+        return item
+    say = Language(sheet.language).say
+    old, new = bold(roman(say("results"))), bold(roman(say("values")))
+    marks = [
+        replace(mark, shape=replace(mark.shape, runs=new))
+        if isinstance(mark.shape, Lettering) and mark.shape.runs == old
+        else mark
+        for mark in item.marks
+    ]
+    return replace(item, marks=tuple(marks))
 
 
 def _given_away(key: Plan, blank: Blank) -> set[str]:

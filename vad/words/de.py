@@ -8,6 +8,18 @@ PHRASES = {
     "colon": ": ",
     "legend": "grau: gegeben",
     "coriolis rule": "Coriolis: *v* um 90° im Drehsinn von *ω* gedreht",
+    # ein Aufgabenblatt
+    "name": "Name",
+    "class": "Klasse",
+    "values": "Werte",
+    "working": "Rechnung",
+    "task": "Zeichnen Sie {panels} im angegebenen Maßstab und bestimmen Sie {found}.",
+    "task draw": "Zeichnen Sie {panels} im angegebenen Maßstab.",
+    "task given": "Gegeben: {given}.",
+    "task position": "den Lageplan",
+    "task velocity": "den Geschwindigkeitsplan",
+    "task acceleration": "den Beschleunigungsplan",
+    "task force": "die Kräftepläne",
     # eine Frage eines Fragenkatalogs
     "quiz given": "{title}: {given}.",
     "quiz angle": "Gesucht: der Winkel {link:des} in Grad, gegen den Uhrzeigersinn von *x* aus.",

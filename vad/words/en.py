@@ -19,6 +19,18 @@ PHRASES = {
     "colon": ": ",
     "legend": "grey: given",
     "coriolis rule": "Coriolis: *v* turned 90° in the sense of *ω*",
+    # a problem sheet
+    "name": "Name",
+    "class": "Class",
+    "values": "Values",
+    "working": "Calculation",
+    "task": "Draw {panels} to the given scale, and find {found}.",
+    "task draw": "Draw {panels} to the given scale.",
+    "task given": "Given: {given}.",
+    "task position": "the mechanism",
+    "task velocity": "the velocity polygon",
+    "task acceleration": "the acceleration polygon",
+    "task force": "the force polygons",
     # a question of a question bank
     "quiz given": "{title}: {given}.",
     "quiz angle": "Find the angle of the {link} in degrees, counter-clockwise from *x*.",

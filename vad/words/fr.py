@@ -8,6 +8,18 @@ PHRASES = {
     "legend": "en gris : données",
     "colon": " : ",
     "coriolis rule": "Coriolis : *v* tournée de 90° dans le sens de *ω*",
+    # une feuille d’exercice
+    "name": "Nom",
+    "class": "Classe",
+    "values": "Valeurs",
+    "working": "Calculs",
+    "task": "Tracer {panels} à l’échelle indiquée et trouver {found}.",
+    "task draw": "Tracer {panels} à l’échelle indiquée.",
+    "task given": "Données : {given}.",
+    "task position": "le mécanisme",
+    "task velocity": "le polygone des vitesses",
+    "task acceleration": "le polygone des accélérations",
+    "task force": "les polygones des forces",
     # une question d’une banque de questions
     "quiz given": "{title} : {given}.",
     "quiz angle": "Trouver l’angle {link:du} en degrés, dans le sens antihoraire depuis *x*.",

@@ -1,0 +1,87 @@
+"""The task of a problem sheet in words: what is given, what is to be drawn and to be found."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from vad import gate
+from vad.strokes.sheet import Cell, Sheet
+from vad.words import Gap, Language, TextPiece
+from vad.written import with_unit
+
+#: The most letters of a task of one's own; a page may have room for fewer.
+LONGEST = 400
+
+Pieces = tuple[TextPiece, ...]
+
+
+def checked(name: str, text: object) -> str:
+    """Return a task of one's own without spaces about it.
+
+    Raises
+    ------
+    vad.errors.InputError
+        For one that is no line of text, is empty, or is too long for any page.
+    """
+    return gate.filled(name, text, LONGEST)
+
+
+def task(sheet: Sheet, blank: Collection[str]) -> tuple[Pieces, ...]:
+    """Return the task in words, the longest form first.
+
+    The longest one begins with the values that are given.  The second one leaves them out, for
+    they stand in the table, too.  The last one leaves out what is to be found.
+    """
+    language = Language(sheet.language)
+    panels = [panel for panel in sheet.panels if panel.name in blank]
+    cells = [cell for row in sheet.rows for p in panels for cell in row.cells.get(p.name, ())]
+    named = [_panel(language, panel.name, panel.title) for panel in panels]
+    drawn = _listed(language, [(TextPiece(each),) for each in named])
+    found = [_symbol(cell) for cell in cells if not cell.given]
+    short = _phrase(language, "task draw", panels=drawn)
+    asked = _listed(language, found)
+    middle = _phrase(language, "task", panels=drawn, found=asked) if found else short
+    given = [
+        (*_symbol(cell), TextPiece(f" = {with_unit(*_number(sheet, cell))}"))
+        for row in sheet.rows
+        for each in row.cells.values()
+        for cell in each
+        if cell.given
+    ]
+    if not given:
+        return middle, short
+    values = _phrase(language, "task given", given=_listed(language, given))
+    return (*values, TextPiece(" "), *middle), middle, short
+
+
+def _panel(language: Language, name: str, title: str) -> str:
+    """Return what a student draws in a panel; its title where no phrase names it."""
+    phrase = f"task {name}"
+    try:
+        return language.say(phrase)
+    except KeyError:
+        return title
+
+
+def _number(sheet: Sheet, cell: Cell) -> tuple[str, str]:
+    return sheet.notation.cell(cell.value, cell.unit, given=True)
+
+
+def _symbol(cell: Cell) -> Pieces:
+    return (TextPiece(cell.symbol, "symbol"),)
+
+
+def _phrase(language: Language, phrase: str, **parts: Pieces) -> Pieces:
+    found: list[TextPiece] = []
+    for each in language.template(phrase):
+        found += parts[each.name] if isinstance(each, Gap) else (each,)
+    return tuple(found)
+
+
+def _listed(language: Language, items: Sequence[Pieces]) -> Pieces:
+    """Return items with commas between them, and a word before the last."""
+    first: list[TextPiece] = []
+    for item in items[:-1]:
+        first += [TextPiece(", ")] if first else []
+        first += item
+    return _phrase(language, "and", first=tuple(first), last=items[-1]) if first else items[-1]
