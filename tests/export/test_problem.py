@@ -261,3 +261,12 @@ def test_a_batch_writes_the_task_upon_the_problem_alone(folder: Path) -> None:
     vad.batch("one.toml", "made")
     assert "Find the velocity of C." in Path("made/001-problem.svg").read_text("utf-8")
     assert "Find the velocity of C." not in Path("made/001-key.svg").read_text("utf-8")
+
+
+def test_lines_to_write_on_do_not_tell_how_long_a_number_is():
+    """Numbers stand with their decimal points one below the other, but lines begin together."""
+    problem = posed(sheet_of("shaper"), blank=ASKED)
+    lines = [m.shape.pieces[0] for m in shown(problem, "results") if m.role == "writing line"]
+    lefts = {round(line[0].real, 9) for line in lines}
+    firsts = [x for x in lefts if sum(round(line[0].real, 9) == x for line in lines) > 1]
+    assert len(lines) == 9 and len(firsts) == 2 and len(lefts) == 3

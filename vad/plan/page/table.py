@@ -148,21 +148,24 @@ class Columns:
         for count, (cell, value, sign) in enumerate(zip(cells, values, signs, strict=True)):
             name, equals = dressed(cell, new, symbols(cell.symbol)), dressed(cell, new, roman("="))
             places = [(name, left), (equals, left + symbol)]
-            start = first
-            end = min(start + WRITTEN * shrink, right)
+            start, begin = (
+                first,
+                first - whole,
+            )  # a line to write on does not tell how long a number is
+            end = min(begin + WRITTEN * shrink, right)
             if len(cells) > 1:  # up to the symbol behind it
                 ahead = width(values[1], size) + width(signs[1], size) + CLEAR * shrink
                 end = min(end, ends[1] - ahead)
             if count:
                 end = ends[count]
-                start = end - width(value, size)
+                start = begin = end - width(value, size)
                 places = [(sign, start - width(sign, size))]
             role = self._entries.role(cell)
             *before, number = (
                 Mark(Lettering(runs, complex(x, baseline), size), role)
                 for runs, x in [*places, (value, start)]
             )
-            found.append(Entry(tuple(before), number, start, end))
+            found.append(Entry(tuple(before), number, begin, end))
         return found
 
     def _bare(self, cells: Sequence[Cell], panel: str) -> bool:
