@@ -13,6 +13,9 @@ from tests.statics.test_equilibrium import pose
 from vad.errors import VadError
 from vad.kinematics.bodies import bodies_of
 from vad.kinematics.solver import solver_of
+from vad.plan.board import plan
+from vad.plan.format import screen
+from vad.strokes.sheet import Arrow
 
 #: Random loads on each mechanism: usually, and where all cases run.
 FEW, MANY = 1, 20
@@ -67,3 +70,15 @@ def test_a_force_a_couple_and_a_mass_in_motion(name):
         except VadError:  # at a dead centre
             continue
         assert overlaps(sheet) == [], (share, loads, masses)
+
+
+def test_a_name_stands_on_the_side_of_its_own_arrow():
+    """P and F₄₈ are nearly in balance and run side by side, the arrow of P on the left."""
+    machine = MACHINES["beam-engine.toml"]()
+    found = vad.forces(vad.solve(machine), ["1 kN @ 270 at P on parallel_bar"])
+    sketch = plan(vad.draw(found), screen((1280, 720)), 0.04).sketches["force"]
+    panel = sketch.setting.panel
+    load = panel.strokes[panel.find("P7P.load")].shape
+    assert isinstance(load, Arrow)
+    names = {tag.text: tag.box.centre.real for tag in sketch.tags}
+    assert names["P"] < sketch.scale(load.start).real < names["F₄₈"]

@@ -11,6 +11,8 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import combinations
 
+import numpy as np
+
 from vad.kinematics.symbol import is_symbolic
 from vad.kinematics.traced import plain
 from vad.plan.anchors import RIGHT, Anchor, Beside, Chains, PointName, point_of
@@ -50,6 +52,7 @@ SMALL_SIZE = 0.030
 #: The size of a name that has no clear place, as a share.
 SMALLER = 0.85
 GAPS = (0.013, 0.022, 0.034)
+OFF_LINE = 4.0 * PIXEL  # as far from the middle of a line, another stroke begins
 SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.10, 0.90)
 
 
@@ -342,18 +345,22 @@ def add_tag(
 
 
 def _along(obstacles: Obstacles, start: complex, end: complex, runs: Runs, size: float) -> Placed:
+    """Return a clear place beside a line, with no other stroke between both if there is one."""
     wide, high = ink_size(runs, size)
     span = end - start
     normal = normal_of(start, end)
     if normal.imag < 0 or (normal.imag < 1e-9 and normal.real < 0):
         normal = -normal
+    found: list[complex] = []
     for gap in GAPS:
-        centres = [
-            beside(start + share * span, side * normal, gap, wide, high)
-            for share in SHARES
-            for side in (1, -1)
-        ]
+        feet = [(start + share * span, side * normal) for share in SHARES for side in (1, -1)]
+        centres = [beside(foot, way, gap, wide, high) for foot, way in feet]
         free = obstacles.free(centres, wide, high, CLEARANCE, APART)
-        if free.any():
-            return Placed(centres[int(free.argmax())], wide, high)
+        for each in np.flatnonzero(free).tolist():
+            foot, way = feet[each]
+            if not obstacles.covered(foot + OFF_LINE * way, centres[each]):
+                return Placed(centres[each], wide, high)
+            found.append(centres[each])
+    if found:  # each stands beyond another stroke
+        return Placed(found[0], wide, high)
     return place(obstacles, Wish((start + end) / 2, normal, wide, high, near=()))
