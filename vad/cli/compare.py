@@ -57,7 +57,7 @@ def _table(mechanism: Mechanism, inputs: dict[str, Any], comparison: Comparison)
     errors = [_NONE if row.found is None else _power(row.error) for row in rows]
     times = [_NONE if row.found is None else f"{row.seconds * 1e6:.0f}" for row in rows]
     columns += [["error", "", *errors, ""], ["time", "µs", *times, ""]]
-    notes = ["error: the largest of all, positions too; relative, an angle's in radians"]
+    notes = ["column error: the largest of all, positions too; relative, an angle's in radians"]
     notes += [f"{row.method}: {row.problem}" for row in rows if row.found is None]
     given = ", ".join(
         f"{name} {typed(value, digits=12)} {scene_unit(name, mechanism.length_unit)}"
