@@ -46,6 +46,8 @@ AWAY = tuple(sorted(range(-180, 180, 15), key=abs))
 LETTER = 0.030
 #: From the arrow to its name, and to other strokes.
 NAMED, CLEAR = 0.007, 0.007
+#: From the link to the middle of its arrow at most: farther off, nobody would see which it is.
+FARTHEST = 0.080
 #: A rate below this share of the largest one has no sense.
 STILL = 1e-9
 #: What lies so near the axis of a link belongs to it.
@@ -89,10 +91,11 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
             continue
         taken = sketch.obstacles
         taken = Obstacles(taken.edge, [*taken.lines], [*taken.boxes])
-        rows = [row for row in sketch.setting.sheet.rows if _bars(sketch, row)]
-        for row in rows:
-            for sense in senses_of(sketches, row):
-                yield from _arrow(sketch, taken, row, sense)
+        bars = {row.key: _bars(sketch, row) for row in sketch.setting.sheet.rows}
+        for row in sketch.setting.sheet.rows:
+            others = [bar for key, own in bars.items() if key != row.key for bar in own]
+            for sense in senses_of(sketches, row) if bars[row.key] else ():
+                yield from _arrow(sketch, taken, row, sense, others)
 
 
 def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
@@ -146,10 +149,16 @@ def _bars(sketch: Sketch, row: Row) -> list[tuple[complex, complex]]:
     return [(start, end) for _, start, end in sorted(bars, key=lambda bar: bar[0])]
 
 
-def _arrow(sketch: Sketch, taken: Obstacles, row: Row, sense: Sense) -> Iterator[Item]:
+def _arrow(
+    sketch: Sketch,
+    taken: Obstacles,
+    row: Row,
+    sense: Sense,
+    others: Sequence[tuple[complex, complex]],
+) -> Iterator[Item]:
     """Yield an arrow, if there is a place for it, and the names that come to it."""
     panel, number = sketch.setting.panel, sketch.setting.row(row.key)
-    place = _place(taken, _bars(sketch, row), sense)
+    place = _place(taken, _bars(sketch, row), others, sense)
     if place is None:
         return
     runs = symbols(sense.text)
@@ -170,10 +179,17 @@ def _arrow(sketch: Sketch, taken: Obstacles, row: Row, sense: Sense) -> Iterator
 
 
 def _place(
-    obstacles: Obstacles, bars: Sequence[tuple[complex, complex]], sense: Sense
+    obstacles: Obstacles,
+    bars: Sequence[tuple[complex, complex]],
+    others: Sequence[tuple[complex, complex]],
+    sense: Sense,
 ) -> _Place | None:
-    """Return the nearest place that meets nothing but the link itself; None where none is free."""
-    others = Obstacles(
+    """Return the nearest place that meets nothing but the link itself; None where none is free.
+
+    If it can be, the middle of the arrow is near its link, and nearer to it than to the ``others``.
+    """
+    far: _Place | None = None
+    strange = Obstacles(
         obstacles.edge,
         [line for line in obstacles.lines if not any(_along(line, bar) for bar in bars)],
         obstacles.boxes,
@@ -184,7 +200,7 @@ def _place(
         np.array(each)[:, np.newaxis] for each in zip(*arcs, strict=True)
     )
     lines = centres + radii * np.exp(1j * np.radians(middles + spans * SHARES))
-    free = others.free(lines.ravel(), 0.0, 0.0, CLEAR).reshape(lines.shape).all(axis=1)
+    free = strange.free(lines.ravel(), 0.0, 0.0, CLEAR).reshape(lines.shape).all(axis=1)
     for found in np.flatnonzero(free).tolist():
         (at, radius, span, middle), line = arcs[found], lines[found].tolist()
         if not obstacles.clear_of_labels([*itertools.pairwise(line)], CLEAR).all():
@@ -196,8 +212,13 @@ def _place(
             spots, obstacles.free(spots, wide, high, CLEARANCE, APART), strict=True
         ):
             if clear and own.free([spot], wide, high, 2.0 * PIXEL)[0]:
-                return _Place(at, radius, span, middle, spot)
-    return None
+                place = _Place(at, radius, span, middle, spot)
+                tip = at + cmath.rect(radius, math.radians(middle))
+                if _off(tip, bars) <= min(FARTHEST, _off(tip, others)):
+                    return place
+                far = far or place
+                break
+    return far
 
 
 def _arcs(
@@ -222,6 +243,16 @@ def _names(
     for turn, side in ((0.0, 1), (-0.4, 1), (0.4, 1), (0.0, -1), (-0.4, -1)):
         out = complex(math.cos(a := math.radians(middle + sign * turn * span)), math.sin(a))
         found.append(beside(at + radius * out, side * out, NAMED, wide, high))
+    return found
+
+
+def _off(spot: complex, bars: Sequence[tuple[complex, complex]]) -> float:
+    """Return how far a spot is from the nearest of some bars."""
+    found = math.inf
+    for start, end in bars:
+        way, long = direction_of(start, end), abs(end - start)
+        along = ((spot - start) * way.conjugate()).real
+        found = min(found, abs(spot - start - min(max(along, 0.0), long) * way))
     return found
 
 
