@@ -93,7 +93,7 @@ PAUSES = 0.3
 DELAYS = (4, 5, 6, 7, 8, 10)
 MOST_BYTES = 700_000
 #: A mechanism from a file has two dyads or three, and each is drawn stroke by stroke.
-MOST_BYTES_OF_EXAMPLE = 1_200_000
+MOST_BYTES_OF_EXAMPLE = 1_300_000
 CELL, COLUMNS, GAP = (990, 600), 2, 40
 SHEET_STYLE = "paper"
 
