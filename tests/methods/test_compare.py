@@ -27,7 +27,7 @@ def test_the_table_has_a_row_for_every_method(capsys):
     assert [row[:18].strip() for row in rows] == [*METHODS, "50 digits"]
     for row in rows:
         assert "2.3094011" in row and "-1.154700" in row and "4.2339" in row and "-6.7357" in row
-    assert note.startswith("error: ")
+    assert note.startswith("column error: ")
 
 
 @pytest.mark.parametrize("name", ["double-slider", "four-bar"])
