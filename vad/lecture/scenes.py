@@ -30,11 +30,11 @@ def scenes(sheet: Sheet) -> tuple[str, ...]:
 
 def scene_numbers(sheet: Sheet) -> list[int]:
     """Return the scene of each stroke, in the order in which strokes are told."""
+    staged = is_staged(sheet)
     found: list[int] = []
     before = ""
     for each in telling(sheet):
         column = each.half.column
-        number = found[-1] + (column != before) if found else 0
-        found.append(number if is_staged(sheet) else 0)
+        found.append(found[-1] + (staged and column != before) if found else 0)
         before = column
     return found

@@ -21,7 +21,7 @@ from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size, width
 from vad.plan.lettering.runs import roman, symbols
-from vad.plan.marks import Bow, Lettering, Mark
+from vad.plan.marks import Lettering, Mark
 from vad.plan.pictures.angles import sense_arrow
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY
@@ -70,17 +70,14 @@ class Sense:
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """Where an arrow stands: its centre, radius, span and middle, and its name."""
+    """Where an arrow stands: its centre, radius, span and middle, points along it, and its name."""
 
     centre: complex
     radius: float
     span: float
     middle: float
+    line: list[complex]
     name: complex
-
-    def line(self) -> list[complex]:
-        """Return points along the arrow."""
-        return Bow(self.centre, self.radius, self.middle - self.span / 2, self.span).line()
 
 
 def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
@@ -164,7 +161,7 @@ def _arrow(
     runs = symbols(sense.text)
     wide, high = ink_size(runs, LETTER)
     taken.box(Placed(place.name, wide, high).box)
-    taken.line(place.line(), 2.0 * PIXEL)
+    taken.line(place.line, 2.0 * PIXEL)
     sweep = place.span * sense.sign
     arrow = sense_arrow(place.centre, place.radius, place.middle, sweep, number, size=0.8)
     text = text_at(runs, runs, place.name, LETTER, "term", number).shape
@@ -212,7 +209,7 @@ def _place(
             spots, obstacles.free(spots, wide, high, CLEARANCE, APART), strict=True
         ):
             if clear and own.free([spot], wide, high, 2.0 * PIXEL)[0]:
-                place = _Place(at, radius, span, middle, spot)
+                place = _Place(at, radius, span, middle, line, spot)
                 tip = at + cmath.rect(radius, math.radians(middle))
                 if _off(tip, bars) <= min(FARTHEST, _off(tip, others)):
                     return place
