@@ -206,7 +206,8 @@ def test_a_fault_of_the_program_is_no_traceback(vad, monkeypatch):
 
     monkeypatch.setattr(app, "table", fail)
     error, _ = complaint(vad("list"), 1)
-    assert error == "internal fault (ZeroDivisionError: oh)"
+    place = f"{__file__}, line {fail.__code__.co_firstlineno + 1}"
+    assert error == f"internal fault (ZeroDivisionError: oh) in {place}"
     monkeypatch.setenv("VAD_DEBUG", "1")
     with pytest.raises(ZeroDivisionError):
         vad("list")

@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import json
 import re
 from dataclasses import replace
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
 
 import vad
+from tests.lecture.durations import MEASURED, first_measured, lesson_of
 from vad.export.lesson_srt import cues
-from vad.files.examples import example_names, example_path
-from vad.lecture.lesson import Lesson, LessonStep
+from vad.lecture.lesson import LessonStep
 from vad.lecture.pace import (
     AFTER_FLIGHT,
     CLOSING,
@@ -45,17 +43,10 @@ GROWS: dict[Kind, tuple[float, float]] = {
 FOLDS = 1.0
 #: Nobody reads more printed letters a second.
 MOST = 17.0
-#: Seconds that lectures lasted when a number counted as a word, and how much longer they may last.
-BEFORE = json.loads((Path(__file__).parent / "durations.json").read_text("utf-8"))
+#: How much longer a lecture may last than when it was first measured.
 LONGER = 1.5
 #: A number, but not a vertex of a polygon of bodies, 4ₙ.
 NUMBER = re.compile(r"(?<![\w′])\d+(?:[.,\N{NARROW NO-BREAK SPACE}]\d+)*(?![\d′ₙ])")
-EVERY = [*vad.MECHANISMS, *(name for name in example_names() if name in BEFORE)]
-
-
-def lesson_of(name: str, language: str = "en") -> Lesson:
-    kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
-    return vad.animate(vad.draw(vad.solve(kind()), language=language))
 
 
 def stroke(kind: Kind, length: float = 1.0) -> Stroke:
@@ -72,7 +63,7 @@ def test_how_long_a_stroke_grows(kind: Kind):
 
 @pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("language", languages())
-@pytest.mark.parametrize("name", EVERY)
+@pytest.mark.parametrize("name", MEASURED)
 def test_every_caption_can_be_read_and_no_film_is_much_longer(name: str, language: str):
     lesson = lesson_of(name, language)
     found = cues(lesson)
@@ -81,7 +72,7 @@ def test_every_caption_can_be_read_and_no_film_is_much_longer(name: str, languag
         assert len(cue.text) <= MOST * seconds, cue
         assert len(NUMBER.findall(cue.text)) <= seconds + 0.5, cue
     assert found[-1].text == str(lesson.answer)
-    assert lesson.duration <= LONGER * BEFORE[name][language]
+    assert lesson.duration <= LONGER * first_measured(name, language)
 
 
 @pytest.mark.exhaustive(8)

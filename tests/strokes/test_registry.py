@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -191,6 +192,14 @@ def test_a_further_diagram_is_one_further_file(tmp_path: Path) -> None:
     assert said["titles"] == ["Lage", "Geschwindigkeit", "Turned velocity", "Beschleunigung"]
     assert said["turn"] == ["velocity", "turned-velocity"]
     assert said["json"] == ["turned-velocity"]
+
+
+def test_a_kind_of_picture_that_no_painter_knows() -> None:
+    with pytest.raises(
+        vad.UsageError, match="diagram 'force': unknown picture 'mechanism'"
+    ) as error:
+        replace(DIAGRAMS["velocity"], name="force", picture="mechanism")
+    assert error.value.hint == "known: skeleton, vectors, views"
 
 
 def test_a_diagram_is_drawn_where_it_applies_in_the_plane_and_in_space(tmp_path: Path) -> None:

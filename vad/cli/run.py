@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import traceback
 from collections.abc import Sequence
 
 import click
@@ -44,9 +45,23 @@ def run(arguments: Sequence[str]) -> int:
         if os.environ.get("VAD_DEBUG"):
             raise
         problem = f"{type(error).__name__}: {error}"
-        return _report(f"internal fault ({problem})", "VAD_DEBUG=1 shows where it happened")
+        return _report(f"internal fault ({problem}){_place(error)}", "VAD_DEBUG=1 shows the rest")
     check_interrupt()
     return 0
+
+
+def _place(error: BaseException) -> str:
+    """Return the file and the line in which an error arose; a new file with a fault is found by it.
+
+    Examples
+    --------
+    >>> _place(ZeroDivisionError())
+    ''
+    """
+    if isinstance(error, SyntaxError):
+        return ""  # its text names them
+    frames = traceback.extract_tb(error.__traceback__)
+    return f" in {frames[-1].filename}, line {frames[-1].lineno}" if frames else ""
 
 
 def _in_words(error: click.ClickException) -> tuple[str, str | None]:

@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args
 
+from vad.errors import UsageError, quoted
 from vad.strokes.shapes import Turned
 from vad.strokes.sheet import (
     BELOW,
@@ -178,7 +179,8 @@ class Diagram:
     rank
         Diagrams stand on the page, and are drawn, in ascending order of it.
     picture
-        How its panel is painted: as a mechanism or as vectors from a pole.
+        How its panel is painted: "skeleton" is a mechanism in the plane, "vectors" are those from a
+        pole, "views" are those of a mechanism in space.
     unit
         The function from a scene to the unit of its coordinates.
     pose
@@ -211,6 +213,13 @@ class Diagram:
     applies: Callable[[Motion[Any, Any, Any]], bool] = everywhere
     by_hand: bool = True
     curve_row: Callable[[AnyScene], str] = output_of
+
+    def __post_init__(self) -> None:
+        """Refuse a kind of picture that no painter knows."""
+        kinds = get_args(PictureKind)
+        if self.picture not in kinds:
+            problem = f"diagram '{self.name}': unknown picture {quoted(self.picture)}"
+            raise UsageError(problem, "known: " + ", ".join(kinds))
 
     @classmethod
     def of_order(cls, order: Order, rank: float, picture: PictureKind) -> Diagram:
