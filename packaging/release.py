@@ -19,6 +19,15 @@ sys.path.insert(0, str(ROOT))
 
 from hatch_build import PLACEHOLDER  # noqa: E402
 
+#: No mail arrives there: an address with this host waits for that of the maintainers.
+NO_MAIL = "@example.org"
+#: What a page says about an install as long as nothing is released.
+BEFORE_A_RELEASE = {
+    "README.md": "Once it is released",
+    "docs/pages/install.md": "Once the package is released",
+    "docs/pages/tutorial.md": "in the folder of the program",
+}
+
 
 def missing(root: Path, tag: str | None = None) -> Iterator[str]:
     """Yield what is missing for a release, in words.
@@ -34,6 +43,12 @@ def missing(root: Path, tag: str | None = None) -> Iterator[str]:
     for name, address in project.get("urls", {}).items():
         if PLACEHOLDER in address:
             yield f"pyproject.toml: project.urls.{name} is a placeholder: {address}"
+    for name in ("SECURITY.md", "CODE_OF_CONDUCT.md"):
+        if NO_MAIL in (root / name).read_text("utf-8"):
+            yield f"{name}: the address of the maintainers is a placeholder"
+    for name, words in BEFORE_A_RELEASE.items():
+        if words in (root / name).read_text("utf-8"):
+            yield f"{name}: says '{words}': write that `pip install vad-diagrams` installs it"
     version = _found(r'^__version__ = "(.+)"$', root / "vad" / "__init__.py")
     if tag is not None and tag != f"v{version}":
         yield f"the tag is {tag}, the version of vad is {version}: it must be v{version}"

@@ -32,6 +32,11 @@ def tree(tmp_path: Path) -> Path:
     for name in ("vad/__init__.py", "CHANGELOG.md", "CITATION.cff", "packaging/recipe.yaml"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         shutil.copy(ROOT / name, tmp_path / name)
+    (tmp_path / "docs" / "pages").mkdir(parents=True)
+    for name in ("README.md", "docs/pages/install.md", "docs/pages/tutorial.md"):
+        (tmp_path / name).write_text("`pip install vad-diagrams` installs it.\n", "utf-8")
+    for name in ("SECURITY.md", "CODE_OF_CONDUCT.md"):
+        (tmp_path / name).write_text("Write to <people@forge.test>.\n", "utf-8")
     project = (ROOT / "pyproject.toml").read_text("utf-8")
     (tmp_path / "pyproject.toml").write_text(project.replace("//example.org", "//forge.test"))
     changes = (ROOT / "CHANGELOG.md").read_text("utf-8")
@@ -48,6 +53,11 @@ def test_a_tree_that_is_ready(release, tree):
     ("name", "old", "new", "said"),
     [
         ("pyproject.toml", "//forge.test", "//example.org", "project.urls.Repository is a placeh"),
+        ("SECURITY.md", "@forge.test", "@example.org", "SECURITY.md: the address of the maint"),
+        ("CODE_OF_CONDUCT.md", "@forge.test", "@example.org", "CODE_OF_CONDUCT.md: the address"),
+        ("README.md", "`", "Once it is released, `", "README.md: says 'Once it is released': "),
+        ("docs/pages/install.md", "`", "Once the package is released, `", "install.md: says"),
+        ("docs/pages/tutorial.md", "`", "in the folder of the program `", "tutorial.md: says"),
         ("CHANGELOG.md", "(2027-01-31)", "(unreleased)", "CHANGELOG.md: begins with"),
         ("CITATION.cff", "version: 0", "version: 7", "CITATION.cff: names the version 7"),
         ("packaging/recipe.yaml", 'version: "0', 'version: "7', "recipe.yaml: names the version 7"),
