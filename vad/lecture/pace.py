@@ -15,7 +15,8 @@ from vad.lecture.telling import reading, share_caption, starts, told, told_toget
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
 from vad.strokes.telling import telling
-from vad.strokes.travels import TravelKind, travels
+from vad.strokes.travel import TravelKind
+from vad.strokes.travels import travels
 
 #: Seconds in which each kind of stroke grows.  A vector takes as long if it is the longest one of
 #: its panel.
@@ -36,7 +37,9 @@ SWIFT = 0.3  # of each of several strokes with one caption, on average and at le
 PHASES: dict[TravelKind, tuple[float, ...]] = {
     "tangential": (0.8, 1.0, 0.6, 1.0),
     "normal": (0.8, 0.6, 1.4),
+    "axial": (0.8, 0.6, 1.4),
     "coriolis": (0.6, 1.2, 0.8, 1.2),
+    "turned": (0.6, 1.2, 0.8, 1.2),
     "image": (1.0, 0.6, 1.0),
 }
 AFTER_FLIGHT = 0.6

@@ -7,10 +7,7 @@ vector comes from where follows from the strokes alone.
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Iterator, Mapping
-from typing import Literal, NamedTuple
 
 from vad.errors import InputError
 from vad.kinematics.linkage import points_of
@@ -18,45 +15,18 @@ from vad.kinematics.symbol import is_symbolic
 from vad.strokes.diagram import ACCELERATION, VELOCITY
 from vad.strokes.scene import point_of
 from vad.strokes.sheet import Arrow, Dot, Panel, Plate, Sheet, Stroke
-
-#: What a vector is to what it comes from: it is turned, points back, is v turned, or an image.
-TravelKind = Literal["tangential", "normal", "coriolis", "image"]
-
-
-class Travel(NamedTuple):
-    """From where a vector comes, or the image of a link.
-
-    Attributes
-    ----------
-    kind
-        What it is to its source.
-    source
-        The name of the panel that it leaves.
-    tail, head
-        Where its tail and its head are there, before it is turned: the ends of a link or vector.
-    start, end
-        Its tail and its head in its own panel.
-    """
-
-    kind: TravelKind
-    source: str
-    tail: complex
-    head: complex
-    start: complex
-    end: complex
-
-    @property
-    def turn(self) -> float:
-        """By how many degrees it turns, counter-clockwise positive."""
-        return math.degrees(cmath.phase((self.end - self.start) / (self.head - self.tail)))
+from vad.strokes.space.travels import may_be_shown, travels_in_space
+from vad.strokes.travel import Travel, TravelKind
 
 
 def travels(sheet: Sheet) -> dict[str, Travel]:
     """Return all travels by the full names of the strokes that draw what travels.
 
-    There is none in space, and none of what comes from a panel that is not on the sheet.
+    There is none of what comes from a panel that is not on the sheet.  Those of a mechanism in
+    space are those of `vad.strokes.space.travels`.
     """
-    mechanism = next((panel for panel in sheet.panels if panel.picture == "skeleton"), None)
+    pictures = {panel.picture: panel for panel in sheet.panels}
+    mechanism = pictures.get("skeleton")
     polygons = {half.name: half for half in sheet.halves if half.picture == "vectors"}
     velocities = polygons.get(VELOCITY.panel)
     found: dict[str, Travel] = {}
@@ -66,13 +36,16 @@ def travels(sheet: Sheet) -> dict[str, Travel]:
             found.update(_from_links(panel, mechanism))
         if panel and velocities:
             found.update(_coriolis(panel, velocities))
+    if mechanism is None:
+        found.update(travels_in_space(sheet, pictures.get("views")))
     return {name: travel for name, travel in found.items() if _can(travel)}
 
 
 def _can(travel: Travel) -> bool:
-    """Tell whether both vectors have a length."""
-    ends = travel.head - travel.tail, travel.end - travel.start
-    return not any(is_symbolic(each) or abs(each) == 0.0 for each in ends)
+    """Tell whether both vectors have a length, and the page has room for them."""
+    ends = travel.head - travel.tail, travel.end - travel.start, travel.oblique
+    seen = not any(is_symbolic(each) or abs(each) == 0.0 for each in ends)
+    return seen and may_be_shown(travel)
 
 
 def _from_links(panel: Panel, mechanism: Panel) -> Iterator[tuple[str, Travel]]:

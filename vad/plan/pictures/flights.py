@@ -24,7 +24,8 @@ from vad.plan.reach import corners
 from vad.plan.sketch import Sketch
 from vad.strokes.shapes import Turned
 from vad.strokes.sheet import Arrow, Panel
-from vad.strokes.travels import Travel, travels
+from vad.strokes.travel import Travel
+from vad.strokes.travels import travels
 
 #: A figure that is more often as large as its polygon, or as small, is not on the same page.
 MOST = 1e3
@@ -276,7 +277,8 @@ class Flight:
     def stops(self, centre: complex) -> list[Leg]:
         """Return where the flight begins, and where each of its phases ends.
 
-        A copy of a short vector swells as it lifts off, so that all see how it turns.
+        A copy of a short vector swells as it lifts off, so that all see how it turns.  One that
+        leaves a view from another side is seen from that of its polygon when it lands.
         """
         scale, kind, turn = self.polygon.scale, self.travel.kind, self.travel.turn
         (tail, head), start = self.source, scale(self.travel.start)
@@ -285,14 +287,19 @@ class Flight:
         place = begin + self.lift
         size = abs(head - tail) / abs(whole)
         seen = max(size, SEEN / abs(whole))
-        lifted, turned = Leg(0.0, place, seen, -turn), Leg(0.0, place, seen)
+        oblique = abs(self.travel.oblique)
+        tilt = math.degrees(cmath.phase(self.travel.oblique))
+        lifted, turned = Leg(0.0, place, seen, tilt - turn), Leg(0.0, place, seen, tilt)
         phases = {
             "tangential": [lifted, turned],
             "coriolis": [lifted, turned],
+            "turned": [lifted, turned],
             "normal": [lifted],
+            "axial": [lifted],
             "image": [turned],
         }
-        return [Leg(0.0, begin, size, -turn), *phases[kind], Leg(0.0, place), Leg(0.0, 0j)]
+        stretched = Leg(0.0, place, oblique, tilt)
+        return [Leg(0.0, begin, size, tilt - turn), *phases[kind], stretched, Leg(0.0, 0j)]
 
     @property
     def lift(self) -> complex:
@@ -301,9 +308,9 @@ class Flight:
         match self.travel.kind:
             case "tangential":  # it slides until its tail is at the end of the link
                 return head - tail
-            case "coriolis":
+            case "coriolis" | "turned":
                 return LIFT * direction_of(self.travel.start, self.travel.end)
-            case "normal":
+            case "normal" | "axial":
                 up = 1j * direction_of(tail, head)
                 return LIFT * (up if up.imag >= 0.0 else -up)
             case "image":

@@ -1,0 +1,142 @@
+"""What travels in films of mechanisms in space: only what the view that it leaves shows truly."""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+
+import numpy as np
+import pytest
+
+import vad
+from tests.plan.overlaps import KEY
+from tests.plan.test_flights import ends, flights, near
+from vad.plan.format import screen
+from vad.plan.items import FLIGHT
+from vad.plan.stage import Stage
+from vad.strokes.space.travels import LONGEST
+from vad.strokes.travels import travels
+
+INPUTS = [(60.0, 10.0, 20.0), (200.0, -7.0, 15.0), (310.0, 4.0, -30.0)]
+SPACE = ["hooke-joint", "rssr", "spherical-four-bar", "spatial-four-bar"]
+
+
+def drawn(name, angle, omega, alpha):
+    """Return a motion and its travels by the names of their strokes."""
+    motion = vad.solve(vad.MECHANISMS[name](), angle=angle, omega=omega, alpha=alpha)
+    return motion, travels(vad.draw(motion))
+
+
+def over(travel):
+    return (travel.end - travel.start) / (travel.head - travel.tail)
+
+
+def seen(vector, right, up):
+    return complex(np.dot(vector, right), np.dot(vector, up))
+
+
+@pytest.mark.parametrize(("angle", "omega", "alpha"), INPUTS)
+@pytest.mark.parametrize("name", SPACE)
+def test_a_rate_lies_along_its_axis_and_does_not_turn(name, angle, omega, alpha):
+    _, found = drawn(name, angle, omega, alpha)
+    along = [travel for travel in found.values() if travel.kind == "axial"]
+    assert len(along) == (0 if name == "rssr" else 2)
+    assert all(travel.turn == pytest.approx(0.0, abs=1e-9) for travel in along)
+
+
+@pytest.mark.parametrize(("angle", "omega", "alpha"), INPUTS)
+def test_a_lever_across_the_paper_turns_a_rate_by_a_right_angle(angle, omega, alpha):
+    """A is at AH, and D at AD, along the line of sight: its velocity is the rate times i."""
+    motion, found = drawn("spatial-four-bar", angle, omega, alpha)
+    sheet = vad.draw(motion)
+    height = next(
+        cell.value for row in sheet.rows for cell in row.cells["position"] if cell.symbol == "AH"
+    )
+    levers = {"velocity.below:ay": height, "velocity.below:dz": 100.0}
+    levers["acceleration.below:dz"] = 100.0
+    for name, lever in levers.items():
+        assert over(found[name]) == pytest.approx(1j * lever, rel=1e-9)
+    assert "acceleration.below:ay" not in found  # a sum of three products
+
+
+@pytest.mark.parametrize(("angle", "omega", "alpha"), INPUTS)
+@pytest.mark.parametrize("name", ["hooke-joint", "spherical-four-bar", "spatial-four-bar"])
+def test_a_rate_turns_with_the_instant_axis_in_the_sense_of_it(name, angle, omega, alpha):
+    """The direction of ω₄₂ a little later says how fast it turns, and in which sense."""
+    _, found = drawn(name, angle, omega, alpha)
+    step = 1e-5
+    ways = []
+    for sign in (-1.0, 1.0):
+        later = angle + np.degrees(omega * sign * step)
+        _, then = drawn(name, later, omega, alpha)
+        travel = then["acceleration:24.normal"]
+        ways.append(travel.head - travel.tail)
+    turned = cmath.phase(ways[1] / ways[0]) / (2.0 * step)
+    assert over(found["acceleration:24.normal"]) == pytest.approx(1j * turned, rel=1e-4)
+    if name == "spherical-four-bar":
+        assert abs(over(found["acceleration:34.normal"]).real) < 1e-9
+
+
+@pytest.mark.parametrize(("angle", "omega", "alpha"), INPUTS)
+def test_a_bar_turns_in_the_view_along_its_axis(angle, omega, alpha):
+    """There the vector is what a viewer sees of it; it lands as its polygon shows it."""
+    motion, found = drawn("rssr", angle, omega, alpha)
+    top, front = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]), ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
+    velocity = seen(motion.point("B").velocity, *top)
+    ab = found["velocity:AB.tangential"]
+    assert ab.seen == pytest.approx(velocity, rel=1e-12)
+    assert ab.turn == pytest.approx(90.0 if omega > 0.0 else -90.0)
+    whole = motion.point("B").acceleration
+    parts = [found[f"acceleration:AB.{kind}"].seen for kind in ("normal", "tangential")]
+    assert sum(parts) == pytest.approx(seen(whole, *top), rel=1e-9)
+    normal = found.get("acceleration:DC.normal")
+    if normal:
+        arm = motion.point("C").position - motion.point("D").position
+        spin = motion.link("rocker").omega
+        assert normal.seen == pytest.approx(-(spin**2) * seen(arm, *front), rel=1e-9)
+    for travel in found.values():
+        assert 1.0 - 1e-9 <= abs(travel.oblique) <= LONGEST
+    assert found["acceleration:BC.normal"].seen is None
+    assert found["acceleration:BC.normal"].turn == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.exhaustive(4)
+@pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
+@pytest.mark.parametrize("name", SPACE)
+def test_vectors_leave_the_small_pictures_and_land_at_their_vertices(name, size):
+    motion, found = drawn(name, *INPUTS[0])
+    stage = Stage(vad.draw(motion), screen(size), KEY, flights=True)
+    landed = set()
+    for number in (1, 2):
+        scene = stage.scene(number)
+        for item in flights(scene):
+            travel = found[item.stroke]
+            shaft = [m for m in item.marks if m.role in ("vector", "whole")][-1]
+            scale = scene.sketches[travel.source].scale
+            middle = sum(ends(shaft, 0.0)) / 2
+            tail, head = scale(travel.tail), scale(travel.head)
+            share = (middle - tail) / (head - tail)
+            assert -0.1 < share.real < 1.1
+            assert abs(share.imag) * abs(head - tail) < 0.03
+            shown = [
+                m.shape.pieces[0]
+                for each in scene.shown(item.since + 1)
+                if each.stroke == item.stroke
+                for m in each.marks
+                if m.role == shaft.role
+            ]
+            assert any(near(ends(shaft, 1.0), piece) for piece in shown)
+            for part in (0.2, 0.5, 0.8):
+                assert all(stage.regions[FLIGHT].holds(z) for z in ends(shaft, part))
+            landed.add(item.stroke)
+    assert landed == found.keys()
+    assert not any(flights(Stage(vad.draw(motion), screen(size), KEY).scene(n)) for n in (1, 2))
+
+
+def test_no_travel_is_without_its_source():
+    for name, (one, other) in itertools.product(
+        SPACE, [("position", "acceleration"), ("velocity", "acceleration")]
+    ):
+        sheet = vad.draw(vad.solve(vad.MECHANISMS[name](), alpha=20), (one, other))
+        for travel in travels(sheet).values():
+            assert travel.source.partition(".")[0] in (one, other)

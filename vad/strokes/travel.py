@@ -1,0 +1,51 @@
+"""A travel: what a vector comes from, and where it lands."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import Literal, NamedTuple
+
+#: What a vector is to what it comes from: a link that is turned, or that points back; v or another
+#: vector that is turned; an axis along which it lies; or it is the image of a link.
+TravelKind = Literal["tangential", "normal", "coriolis", "turned", "axial", "image"]
+
+
+class Travel(NamedTuple):
+    """From where a vector comes, or the image of a link.
+
+    Attributes
+    ----------
+    kind
+        What it is to its source.
+    source
+        The name of the panel that it leaves.
+    tail, head
+        Where its tail and its head are there, before it is turned: the ends of a link, vector or
+        axis.
+    start, end
+        Its tail and its head in its own panel.
+    seen
+        The vector in the unit of its own panel as the view that it leaves shows it, if that is seen
+        from another side; None if it looks alike in both.
+    """
+
+    kind: TravelKind
+    source: str
+    tail: complex
+    head: complex
+    start: complex
+    end: complex
+    seen: complex | None = None
+
+    @property
+    def turn(self) -> float:
+        """By how many degrees it turns in the panel that it leaves, counter-clockwise positive."""
+        seen = self.end - self.start if self.seen is None else self.seen
+        return math.degrees(cmath.phase(seen / (self.head - self.tail)))
+
+    @property
+    def oblique(self) -> complex:
+        """How the vector looks in the panel that it leaves, as a multiple of how it lands."""
+        whole = self.end - self.start
+        return 1.0 + 0j if self.seen is None or whole == 0.0 else self.seen / whole
