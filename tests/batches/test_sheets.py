@@ -27,7 +27,7 @@ HEAD = '[sheet]\nmechanism = "four-bar"\n'
         (HEAD + 'files = "a.pdf"\ntask = "x"', "1: task: none of the files is the"),
         (HEAD + 'task = ""\n', "3: task: is empty"),
         (HEAD + 'points = { P = ["rod", 60] }\n', "3: point P: unknown link 'rod'"),
-        (HEAD + 'files = ["a.tex"]\n', "3: files: 'a.tex': has a second file beside it, which"),
+        (HEAD + 'files = ["a.tex"]\n', "3: files: 'a.tex': a batch makes no .tex, which needs a"),
         (HEAD + 'title = ""\n', "3: title: is empty"),
         (HEAD + "fps = 0\n", "3: fps: must be between 1 and 240, got 0"),
         (HEAD + "size = [1, 2]\n", "3: size: "),

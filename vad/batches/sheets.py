@@ -96,8 +96,10 @@ def _files(value: object) -> tuple[str, ...]:
             raise InputError(f"{one} where capitals do not count", "name them apart")
         film, kind = is_film(name), Path(name).suffix.lower()
         if film and has_companion(Lesson, kind):
-            message = f"{quoted(name)}: has a second file beside it, which no sheet has"
-            raise InputError(message, "make it with vad animate")
+            message = (
+                f"{quoted(name)}: a batch makes no {kind}, which needs a second file beside it"
+            )
+            raise InputError(message, f"vad animate NAME -o lecture{kind}; a batch makes .pptx")
         if is_problem(name) and (film or "blank" not in options_of(Sheet, kind)):
             raise InputError(f"{quoted(name)}: only a picture can be a problem", "call it a key")
     return found
@@ -201,7 +203,8 @@ def is_film(name: str) -> bool:
     kinds = dict.fromkeys((*FORMATS[Sheet], *FORMATS[Lesson]))
     kinds.pop(FOLDER)
     if kind not in kinds:
-        raise InputError(f"{quoted(name)} is no file of a sheet", f"known: {', '.join(kinds)}")
+        made = (each for each in kinds if each in FORMATS[Sheet] or not has_companion(Lesson, each))
+        raise InputError(f"{quoted(name)} is no file of a sheet", f"known: {', '.join(made)}")
     return kind not in FORMATS[Sheet]
 
 

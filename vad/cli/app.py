@@ -194,7 +194,7 @@ def _print_completion(ctx: click.Context, _: click.Parameter, shell: str | None)
     "vad",
     cls=App,
     invoke_without_command=True,
-    epilog="NAME is one that vad list has, or a file such as press.toml; vad example prints some.",
+    epilog="NAME is a name from vad list, or a file such as press.toml; vad example prints some.",
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 @click.version_option(__version__, message="vad %(version)s")
@@ -218,7 +218,7 @@ def app(ctx: click.Context) -> None:
 @click.argument("words", nargs=-1, metavar="[VERB] [NAME]")
 @click.pass_context
 def show_help(ctx: click.Context, words: tuple[str, ...]) -> None:
-    """Show the help of all, of a verb, or of a verb for one mechanism."""
+    """Show the help of all commands, or of one: vad help draw four-bar."""
     root = ctx.find_root()
     with app.make_context(str(root.info_name), [*words, "--help"]) as asked:
         app.invoke(asked)
@@ -301,7 +301,7 @@ def _figures(
 
 
 #: The names of the languages, without their words, which a pose needs not; a help text; a group.
-_LANGUAGES = names_in("words"), "of figures of merit  [en]", "vad.languages"
+_LANGUAGES = names_in("words"), "language of the figures of merit  [en]", "vad.languages"
 app.add_command(
     MechanismGroup(
         "solve",
@@ -313,14 +313,14 @@ app.add_command(
             click.Option(
                 ["--merit"],
                 is_flag=True,
-                help="figures of merit, too: stroke, transmission angle …",
+                help="print the figures of merit, too: stroke, transmission angle …",
             ),
             click.Option(
                 ["--extremes"],
                 callback=words_of(),
                 multiple=True,
                 metavar="RESULT,RESULT",
-                help="figures of merit with the ends of results: rocker.omega  [none]",
+                help="the least and the largest value of these results, as in rocker.omega  [none]",
             ),
             pin_option(),
             NamedOption("language", "language", *_LANGUAGES),

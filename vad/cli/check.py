@@ -28,7 +28,7 @@ _DEAD = 5e-4
 def command(file: str | None, as_json: bool) -> None:
     """Look at a mechanism's file: its joints, its dyads, and the range that closes.
 
-    For FILE - the text comes from standard input.
+    If FILE is -, the text is read from standard input.
     """
     if file is None:
         hint = "vad check press.toml; vad example prints some to begin with"

@@ -17,7 +17,7 @@ from vad.errors import UsageError
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 _HELP = """\
-Make problem sheets with their keys by the hundred.
+Make problem sheets for a class, each with its key.
 
 SHEETS is a .csv file with one row a sheet, or a .toml file such as
 
@@ -32,15 +32,15 @@ SHEETS is a .csv file with one row a sheet, or a .toml file such as
   angle = { from = 0, to = 355, step = 5 }
   omega = ["60 rpm", "90 rpm"]
   [keep]
-  sine = 0.35                          # how steeply all lines cross at least
+  sine = 0.35                          # sine of the least angle at which lines cross
 
 [sheet] also takes title, subtitle, seed, panels, points, language, style, paper, size, fps,
 speed, length_unit, and load, mass, inertia, gravity, friction, superpose, as these options
 have them.
-In a .csv file columns that are no option, such as name, are a roster: they are carried into
+A column of a .csv file that is no option, such as name, is part of a roster: its texts go into
 the names of the files, the titles and the answers.
 
-What stands in FOLDER already, made from the same settings, is not made again.
+A sheet that is in FOLDER already, made from the same settings, is not made again.
 """
 
 
@@ -78,7 +78,7 @@ def make_batch(
     excel: bool,
     **given: Any,
 ) -> None:
-    """Make problem sheets with their keys by the hundred."""
+    """Make problem sheets for a class, each with its key."""
     if sheets is None:
         raise UsageError("batch needs a file of sheets", "vad batch sheets.toml -o sheets/")
     with progress(output) as moved:

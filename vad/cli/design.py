@@ -58,8 +58,10 @@ def own_options() -> list[click.Option]:
             metavar="UNIT",
             help="the unit of lengths  [mm]",
         ),
-        NamedOption("style", "style", style_names(), "of a picture  [paper]", STYLES),
-        NamedOption("language", "language", languages(), "of all words  [en]", LANGUAGES),
+        NamedOption(
+            "style", "style", style_names(), "colours and lines of a picture  [paper]", STYLES
+        ),
+        NamedOption("language", "language", languages(), "language of all words  [en]", LANGUAGES),
     ]
 
 

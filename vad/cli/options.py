@@ -47,11 +47,11 @@ OWN = {
 }
 #: The options that say what a mechanism has to bear: how each is written, and what it is.
 _BURDEN = {
-    "load": ("'FORCE @ ANGLE at POINT'", "a force, or a couple, as in '-6 N m on rocker'"),
-    "mass": ("'BODY MASS at POINT'", "a mass, as in 'coupler 2 kg at G'"),
-    "inertia": ("'BODY INERTIA'", "about the point of the mass, as in 'coupler 0.01 kg m^2'"),
-    "gravity": ("ACCELERATION", "along -y, as in 9.81 m/s^2; or x,y"),
-    "friction": ("'SLIDE NUMBER'", "in a slide, as in 'ram 0.1'"),
+    "load": ("'FORCE @ ANGLE at POINT'", "a force; or a couple, as in '-6 N m on rocker'"),
+    "mass": ("'BODY MASS at POINT'", "mass of a body, as in 'coupler 2 kg at G'"),
+    "inertia": ("'BODY INERTIA'", "inertia about the centre of mass, as in 'coupler 0.01 kg m^2'"),
+    "gravity": ("ACCELERATION", "gravity along -y, as in 9.81 m/s^2; or its components x,y"),
+    "friction": ("'SLIDE NUMBER'", "coefficient of friction in a slide, as in 'ram 0.1'"),
 }
 _INPUT_HELP = {
     "angle": "angle of the driven link",
@@ -253,7 +253,7 @@ def pin_option() -> click.Option:
         callback=pins(),
         multiple=True,
         metavar="'POINT DIAMETER'",
-        help="a pin, whose velocity of rubbing is found, as in 'B 50'; may be given again  [none]",
+        help="diameter of a pin, as in 'B 50': how fast it rubs; may be given again  [none]",
     )
 
 

@@ -61,12 +61,14 @@ SUBTITLES = (".srt", ".vtt")
 _SUBTITLED = (".mp4", ".gif", FOLDER)
 before_an_end_at_once(clear_unfinished)
 _TITLES = [
-    click.Option(["--title"], metavar="TEXT", help="instead of the name of the mechanism"),
-    click.Option(["--subtitle"], metavar="TEXT", help="what stands below the title  [none]"),
+    click.Option(
+        ["--title"], metavar="TEXT", help="title of the page, instead of the name of the mechanism"
+    ),
+    click.Option(["--subtitle"], metavar="TEXT", help="line below the title  [none]"),
 ]
 _LOOK = [
     NamedOption("style", "style", style_names(), "colours and lines  [paper]", STYLES),
-    NamedOption("language", "language", languages(), "of all words  [en]", LANGUAGES),
+    NamedOption("language", "language", languages(), "language of all words  [en]", LANGUAGES),
 ]
 _SHEET = [
     click.Option(
@@ -81,22 +83,29 @@ _SHEET = [
         ["--superpose"],
         is_flag=True,
         default=None,
-        help="forces load by load, and then their sums  [all loads together]",
+        help="draw the forces for each load alone, and then their sums  [all loads together]",
     ),
     *_LOOK,
 ]
 _CENTRODE = click.Option(
     ["--centrode"],
     metavar="'BODY on BODY'",
-    help="of --panels centres: the curves on which a body rolls, on the frame if no other is "
-    "named  [with --turn: the coupler]",
+    help="with --panels centres: the curves with which a body rolls on another one, or on the "
+    "frame  [with --turn: the coupler]",
 )
 _SIZE = click.Option(
-    ["--size"], callback=size(), metavar="WxH", help="of a picture in pixels  [1280x720]"
+    ["--size"],
+    callback=size(),
+    metavar="WxH",
+    help="width and height of the picture in pixels  [1280x720]",
 )
-_PAPER = NamedOption("paper", "paper", paper_names(), "a PDF in true scale, to be measured")
+_PAPER = NamedOption(
+    "paper", "paper", paper_names(), "size of a PDF in true scale, on which a ruler measures"
+)
 _POSITIONS = click.Option(
-    ["--turn"], is_flag=True, help="a full turn: the paths of all points, in twelve positions"
+    ["--turn"],
+    is_flag=True,
+    help="draw a full turn: the paths of all points, with twelve numbered positions",
 )
 _BLANK = click.Option(
     ["--blank"],
@@ -111,21 +120,27 @@ _TASK = click.Option(
 )
 _FILM = [
     click.Option(["--fps"], type=float, help="frames per second  [30]"),
-    click.Option(["--speed"], type=float, help="2 is twice as fast  [1]"),
+    click.Option(["--speed"], type=float, help="speed of the film; 2 is twice as fast  [1]"),
     click.Option(
         ["--still"],
         metavar="STEP",
-        help="one step as a picture (.png, .svg, .pdf): 4, or velocity:4  [the film]",
+        help="save one step as a picture (.png, .svg, .pdf), as in 4 or velocity:4  [the film]",
     ),
-    click.Option(["--turn"], is_flag=True, help="a full turn, with the polygons of every pose"),
+    click.Option(
+        ["--turn"], is_flag=True, help="show a full turn, with the polygons of every pose"
+    ),
     click.Option(
         ["--loop"],
         type=int,
         metavar="NUMBER",
-        help="begin with this dyad; those before it are drawn already  [1]",
+        help="begin with this dyad; the dyads before it are on the board already  [1]",
     ),
-    click.Option(["--plain"], is_flag=True, help="a pencil draws every vector; none flies"),
-    click.Option(["--subtitles"], is_flag=True, help="FILE.srt and FILE.vtt beside the film"),
+    click.Option(
+        ["--plain"],
+        is_flag=True,
+        help="a pencil draws every vector; no vector flies from the mechanism",
+    ),
+    click.Option(["--subtitles"], is_flag=True, help="write FILE.srt and FILE.vtt beside the film"),
 ]
 _LOADS = burden_options()
 _AT = click.Option(
