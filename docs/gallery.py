@@ -2,7 +2,7 @@
 
 In comes a folder of pages; into its ``gallery`` go one page with cards, one for each mechanism, the
 interactive pages that these show in a frame, the pictures of the cards, and the files of the
-examples.  All links are relative.
+examples and of the sheets of the others.  All links are relative.
 """
 
 from __future__ import annotations
@@ -18,8 +18,10 @@ from pathlib import Path
 
 import vad
 from docs.card import card
-from gallery.build import options, sheet
+from gallery.build import SCENES, options
 from vad.files.examples import EXTENSION, example_names, example_path
+from vad.files.sheet_file import sheet_file
+from vad.kinematics.motion import Motion
 from vad.mechanisms.mechanism import Mechanism, MechanismInSpace
 from vad.strokes.sheet import Sheet
 from vad.style import load_style
@@ -29,6 +31,8 @@ from vad.words import Language
 PROCESSES = 2
 #: The styles of the cards in a light and in a dark site.
 _STYLES = {"light": "paper", "dark": "chalk"}
+#: The page that tells of files of sheets.
+_SHEETS = "how-to/batch.md"
 _HEAD = "---\nhide: [navigation, toc]\n---\n"
 _ABOUT = """\
 Open one and turn its crank: links, polygons and table follow. Each is stepped as a lesson, too
@@ -69,9 +73,21 @@ class Piece:
         file = self.name + EXTENSION
         return f"vad example {self.name} > {file}\nvad draw {file} -o {self.name}.html"
 
+    @property
+    def file(self) -> str:
+        """The text of its file: an example's own, or a sheet with the numbers that are drawn."""
+        if self.example:
+            return example_path(self.name).read_text("utf-8")
+        return sheet_file(self._motion)
+
     def sheet(self) -> Sheet:
         """Return what is drawn."""
-        return vad.draw(vad.solve(self.kind())) if self.example else sheet(self.name)
+        return vad.draw(self._motion)
+
+    @property
+    def _motion(self) -> Motion:
+        dimensions, inputs = ({}, {}) if self.example else SCENES.get(self.name, ({}, {}))
+        return vad.solve(self.kind(**dimensions), **inputs)
 
 
 def pieces() -> list[Piece]:
@@ -105,9 +121,7 @@ def _write_piece(folder: Path, piece: Piece) -> str:
     for style in _STYLES.values():
         picture = folder / "pictures" / f"{piece.place}-{style}.svg"
         picture.write_text(card(drawn, style), encoding="utf-8")
-    if piece.example:
-        file = folder / f"{piece.place}{EXTENSION}"
-        file.write_bytes(example_path(piece.name).read_bytes())
+    (folder / f"{piece.place}{EXTENSION}").write_text(piece.file, encoding="utf-8")
     (folder / f"{piece.place}.md").write_text(_page(piece, drawn.title), encoding="utf-8")
     return _card(piece, drawn)
 
@@ -143,15 +157,12 @@ def _page(piece: Piece, title: str) -> str:
         " · ".join(links),
         f"## Its command\n\n```sh\n{piece.command}\n```",
     ]
-    if piece.example:
-        file = piece.name + EXTENSION
-        text = example_path(piece.name).read_text("utf-8")
-        parts += [
-            f'## Its file\n\n```toml title="{file}"\n{text.strip()}\n```',
-            f"[Download the file]({file}){{ download }} · [How such a file is written]"
-            "(../../how-to/mechanism-file.md)",
-        ]
-    else:
+    file, how = piece.name + EXTENSION, "how-to/mechanism-file.md" if piece.example else _SHEETS
+    parts += [
+        f'## Its file\n\n```toml title="{file}"\n{piece.file.strip()}\n```',
+        f"[Download the file]({file}){{ download }} · [How such a file is written]({up}../{how})",
+    ]
+    if not piece.example:
         about = f"../reference/mechanisms.md#{piece.name}"
         parts.append(f"[Its dimensions and results]({about})")
     return "\n\n".join(parts) + "\n"

@@ -56,10 +56,19 @@ def test_each_has_its_card_and_its_page(gallery: Path):
         assert lesson.read_text("utf-8").startswith("<!DOCTYPE html>")
 
 
-def test_the_page_of_an_example_shows_and_offers_its_file(gallery: Path):
-    text = example_path("four-bar").read_text("utf-8")
-    assert text.strip() in (gallery / "examples" / "four-bar.md").read_text("utf-8")
-    assert (gallery / "examples" / "four-bar.toml").read_text("utf-8") == text
+@pytest.mark.parametrize("piece", SOME, ids=lambda piece: piece.place)
+def test_a_page_shows_and_offers_the_file_that_draws_it(
+    piece: Piece, gallery: Path, tmp_path: Path
+):
+    text = (gallery / f"{piece.place}.toml").read_text("utf-8")
+    assert f"\n{text.strip()}\n```" in (gallery / f"{piece.place}.md").read_text("utf-8")
+    if piece.example:
+        assert text == example_path(piece.name).read_text("utf-8")
+    (tmp_path / "own.toml").write_text(text, encoding="utf-8")
+    run_examples("```sh\nvad draw own.toml -o own.html\n```\n", tmp_path)
+    drawn = (tmp_path / "own.html").read_bytes()
+    lesson = (gallery / "lessons" / f"{piece.place}.html").read_bytes()
+    assert drawn == lesson or piece.example  # which is called by the name of its file
 
 
 @pytest.mark.parametrize("piece", SOME, ids=lambda piece: piece.place)

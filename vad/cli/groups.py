@@ -13,6 +13,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from vad.cli.options import build, kind_of, mechanism_options, own_option
+from vad.cli.sheet_words import with_sheet
 from vad.errors import UsageError, VadError, unknown
 from vad.mechanisms import Mechanism, mechanism_names
 
@@ -112,6 +113,8 @@ class MechanismGroup(click.Group):
                 )
         else:
             args = [args[place], *args[:place], *args[place + 1 :]]
+            over = any(word.startswith("--over") for word in args)
+            args = with_sheet(args, moved=self.ranged and not over)
         return super().parse_args(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:

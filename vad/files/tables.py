@@ -57,6 +57,9 @@ _BITS = 1025
 #: A quantity with its unit, or a word, without the quotes that it needs.
 _BARE = re.compile(r"=\s*([-+]?[\d.]+ *(?:[^\W\d_]|°)[^\s,}]*|[A-Za-z][\w/*]*)\s*(?:[,}#]|$)")
 #: A name of several words, which would need quotes.
+#: The table of a file of sheets, which describes no mechanism.
+SHEET = "sheet"
+_OF_SHEETS = "vad solve, vad draw and vad batch read it"
 _WORDS_AS_KEY = re.compile(r"\s*([A-Za-z]\w*(?:[ \t]+\w+)+)\s*=")
 _PLACE = re.compile(r"(.*) \(at (?:line (\d+), column \d+|end of document)\)", re.DOTALL)
 _QUOTED = re.compile(r"""(["']).*?\1""")
@@ -266,7 +269,8 @@ def sorted_out(source: Source) -> Source:
             if key not in (*TABLES, *ROTORS):
                 wrong = unknown("table", key, (*TABLES, *ROTORS))
                 table, inside = (key, "") if (key, "") in source.lines else ("", key)
-                raise source.error(table, inside, str(wrong), wrong.hint)
+                hint = _OF_SHEETS if key == SHEET else wrong.hint
+                raise source.error(table, inside, str(wrong), hint)
             _check_count(source, key, value)
             tables[key] = value
             if key == ROTORS[0] and isinstance(value.get("masses"), Mapping):

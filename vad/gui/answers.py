@@ -21,6 +21,7 @@ from vad.export.files import temporary_folder
 from vad.files.examples import EXTENSION
 from vad.files.loading import WrittenMechanism
 from vad.files.rewriting import rewritten
+from vad.files.sheet_file import sheet_file
 from vad.gui.messages import (
     ExportQuestion,
     LessonQuestion,
@@ -28,7 +29,6 @@ from vad.gui.messages import (
     Question,
     Scales,
 )
-from vad.gui.sheet_file import sheet_file
 from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism

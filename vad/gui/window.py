@@ -18,10 +18,10 @@ from typing import Any
 
 from vad.errors import one_of
 from vad.files.loading import WrittenMechanism
+from vad.files.sheet_file import sheet_in, sheet_of
 from vad.gui.answers import MEDIA
 from vad.gui.messages import EntryQuestion, ExportQuestion
 from vad.gui.said import label
-from vad.gui.sheet_file import sheet_in, sheet_of
 from vad.gui.shelf import Shelf
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
@@ -125,7 +125,7 @@ def _file(name: str) -> str:
 def listed(question: EntryQuestion) -> dict[str, Any]:
     """Return the name of a mechanism, and what can be set of it: its ``entry``.
 
-    Of a file of a sheet there are its numbers, too, ``given``; see `vad.gui.sheet_file.sheet_of`.
+    Of a file of a sheet there are its numbers, too, ``given``; see `vad.files.sheet_file.sheet_of`.
 
     Raises
     ------

@@ -1,6 +1,7 @@
-"""The file of a mechanism that no file describes: a sheet with its numbers, as ``vad batch`` reads.
+"""The file of a mechanism that no file describes: a sheet with its numbers.
 
-The window saves such a file, and opens it again.
+The window saves such a file and opens it again, the command line takes it in the place of a name,
+and ``vad batch`` reads it.
 """
 
 from __future__ import annotations
@@ -12,12 +13,17 @@ from contextlib import contextmanager
 from typing import Any
 
 from vad.errors import InputError, VadError, one_of, quoted, unknown
-from vad.files.tables import Source, parsed
-from vad.gui.messages import Kinds
+from vad.files.tables import SHEET, Source, parsed
 from vad.kinematics.motion import Motion
+from vad.mechanisms import Mechanism
+from vad.mechanisms.link_points import link_points
 from vad.mechanisms.mechanism import NUMBERS
+from vad.units import check_length_unit
 
-_SHEET, _VARY = "sheet", "vary"
+_VARY = "vary"
+#: What a sheet says of one pose, and what it says of many sheets, which one pose does without.
+_SAID = ("mechanism", "length_unit", "points")
+_OF_MANY = ("count", "seed", "files", "blank", "task", "paper", "ask", "columns", "tolerance")
 
 
 def sheet_file(motion: Motion) -> str:
@@ -27,7 +33,7 @@ def sheet_file(motion: Motion) -> str:
     --------
     >>> import vad
     >>> print(sheet_file(vad.solve(vad.ScotchYoke(crank=45), angle=30)))
-    # vad batch scotch-yoke.toml -o sheets
+    # vad draw scotch-yoke.toml -o scotch-yoke.png
     [sheet]
     mechanism = "scotch-yoke"
     length_unit = "mm"
@@ -47,8 +53,9 @@ def sheet_file(motion: Motion) -> str:
     if mechanism.assembly != type(mechanism).assembly:
         numbers["assembly"] = mechanism.assembly
     numbers |= {name: float(value) for name, value in motion.inputs.items()}
-    tables = [f"[{name}]\n{_rows(table)}" for name, table in ((_SHEET, words), (_VARY, numbers))]
-    return f"# vad batch {mechanism.name}.toml -o sheets\n" + "\n".join(tables)
+    tables = [f"[{name}]\n{_rows(table)}" for name, table in ((SHEET, words), (_VARY, numbers))]
+    name = mechanism.name
+    return f"# vad draw {name}.toml -o {name}.png\n" + "\n".join(tables)
 
 
 def _rows(table: Mapping[str, Any]) -> str:
@@ -71,10 +78,10 @@ def sheet_in(text: str, name: str) -> Source | None:
     """
     whole = parsed(text, name)
     tables = {key: each for key, each in whole.table("").items() if isinstance(each, Mapping)}
-    return Source(name, tables, whole.lines) if _SHEET in tables else None
+    return Source(name, tables, whole.lines) if SHEET in tables else None
 
 
-def sheet_of(source: Source, kinds: Kinds) -> tuple[str, dict[str, Any]]:
+def sheet_of(source: Source, kinds: Mapping[str, type[Mechanism]]) -> tuple[str, dict[str, Any]]:
     """Return the name of a sheet's mechanism, and what the file says of it.
 
     That is: numbers by the names of parameters and inputs; where they are said, ``assembly``,
@@ -83,10 +90,15 @@ def sheet_of(source: Source, kinds: Kinds) -> tuple[str, dict[str, Any]]:
     Raises
     ------
     vad.errors.InputError
-        With its line, for a mechanism or a number that there is not, or for several numbers.
+        With its line, for a mechanism or a number that there is not, for several numbers, and for
+        what only ``vad batch`` understands.
     """
-    words, given = source.table(_SHEET), dict[str, Any]()
-    with _written_at(source.place(_SHEET, "mechanism")):
+    words, given = source.table(SHEET), dict[str, Any]()
+    for word in words:
+        if word not in (*_SAID, *_OF_MANY):
+            hint = "vad batch reads more"
+            raise source.error(SHEET, word, f"{word}: is not for one pose; leave it out", hint)
+    with _written_at(source.place(SHEET, "mechanism")):
         name = one_of("mechanism", words.get("mechanism"), kinds)
     own = dataclasses.fields(kinds[name])
     known = [each.name for each in own if each.metadata["quantity"] in NUMBERS]
@@ -99,8 +111,13 @@ def sheet_of(source: Source, kinds: Kinds) -> tuple[str, dict[str, Any]]:
                 message = f"{word}: must be one number to be opened here, got {quoted(value)}"
                 raise InputError(message, "vad batch reads more")
             given[word] = value
-    said = {"points": words.get("points"), "unit": words.get("length_unit")}
-    return name, given | {word: value for word, value in said.items() if value is not None}
+    if "points" in words:
+        with _written_at(source.place(SHEET, "points")):
+            given["points"] = {name: list(at) for name, at in link_points(words["points"]).items()}
+    if "length_unit" in words:
+        with _written_at(source.place(SHEET, "length_unit")):
+            given["unit"] = check_length_unit(str(words["length_unit"]))
+    return name, given
 
 
 @contextmanager
