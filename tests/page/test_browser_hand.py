@@ -581,6 +581,21 @@ def test_the_crank_glides_back_the_shorter_way(browser: Browser, tmp_path: Path)
         until(page, lambda: at(page) == STEP and not page.locator(".turned").count())
         between = [angle for angle in page.evaluate("seen")[1:] if angle != 60]
         assert all(angle > 299 or angle < 61 for angle in between)
+        # A hand that comes back meanwhile is not lost.
+        page.evaluate("() => vad.pose({ angle: 300 })")
+        for by_key in (True, False):
+            page.evaluate(
+                """byKey => {
+                  const press = (key) => document.body.dispatchEvent(
+                    new KeyboardEvent("keydown", { key, bubbles: true }));
+                  press("Escape");
+                  if (byKey) press("h");
+                  else document.querySelector("[data-do=hand]").click();
+                }""",
+                by_key,
+            )
+            page.wait_for_timeout(600)
+            assert page.locator(".turned").count() == 1 and angle(page) == pytest.approx(300)
 
 
 def test_a_page_shows_and_answers_for_the_other_assembly(page: Page) -> None:

@@ -27,7 +27,7 @@ function docked(root, body, player) {
   const little = turns ? 1 : round125((high - low) / 100), far = turns ? 90 : (high - low) / 4;
   const digits = turns ? 1 : Math.max(0, 1 - Math.floor(Math.log10(little)));
   const listeners = [];
-  let held = false, kept = 0, past = [], future = [], before = null, frame = 0, timer = 0, way = 1, mishap = "", spoken = "";
+  let held = false, gliding = false, kept = 0, past = [], future = [], before = null, frame = 0, timer = 0, way = 1, mishap = "", spoken = "";
 
   // Numbers are written and read as the page's language does.
   const number = (value, places = digits) => value.toFixed(places).replace("-", "−").replace(".", data.point);
@@ -185,6 +185,7 @@ function docked(root, body, player) {
   // ---- the two modes ----
 
   function enter() {
+    if (gliding) halt();
     if (held) return;
     held = true;
     player.seek(Math.ceil(player.x));
@@ -229,6 +230,7 @@ function docked(root, body, player) {
       if (part < 1) frame = requestAnimationFrame(step);
       else then();
     };
+    gliding = !still;
     if (still) step(begun);
     else frame = requestAnimationFrame(step);
   }
@@ -238,7 +240,7 @@ function docked(root, body, player) {
     halt();
     if (before) commit();
     const over = () => {
-      held = false;
+      held = gliding = false;
       [past, future, mishap] = [[], [], ""];
       clearTimeout(timer);
       able();
@@ -265,6 +267,7 @@ function docked(root, body, player) {
 
   function halt() {
     cancelAnimationFrame(frame);
+    gliding = false;
     if (running()) {
       root.classList.remove("turning");
       one("[data-do=play]").classList.remove("on");
@@ -317,7 +320,7 @@ function docked(root, body, player) {
       PageUp: () => go(-15 * little),
       PageDown: () => go(15 * little),
       Escape: () => leave(),
-      h: () => leave(),
+      h: () => gliding ? enter() : leave(),
     },
   };
   Object.assign(player.does, {
