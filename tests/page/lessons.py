@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import re
+import string
 import zlib
-from base64 import a85decode
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +26,11 @@ PARTS = {"crank-slotted-lever": {"rod": 120, "ram_height": 140}, "whitworth": {"
 LESSONS = [(name, {}) for name in vad.MECHANISMS] + list(PARTS.items())
 
 
+#: The signs of what is packed.
+SIGNS = "".join(sign for sign in string.printable if sign not in "\"&'<" and not sign.isspace())
+SIGNS = "".join(sorted(SIGNS + " "))
+
+
 @cache
 def lesson_of(name: str, code: str = "en", style: str = "paper", whole: bool = False) -> Lesson:
     """Return the lesson of a mechanism; ``whole`` is with its rod and ram."""
@@ -40,11 +45,16 @@ def page_of(name: str, code: str = "en", style: str = "paper", whole: bool = Fal
     return document(lesson_of(name, code, style, whole))
 
 
-def bundle_of(html: str) -> tuple[str, dict[str, Any], list[str]]:
-    """Return what a page has packed: its script, its data, and what a hand moves in each panel."""
+def bundle_of(html: str) -> tuple[str, dict[str, Any], list[str], str, list[str]]:
+    """Return what a page has packed: script, data, what a hand moves in each panel, rules, parts.
+
+    The parts are those that are seen only where scripts run.
+    """
     text = re.search(r'<script type="text/plain" id="data">(.*?)</script>', html).group(1)
-    codes = (60 if sign == "~" else ord(sign) for sign in text)
-    data = a85decode(bytes(code - 7 for code in codes))
+    values = [SIGNS.index(sign) for sign in text]
+    pairs = zip(values[::2], values[1::2], strict=True)
+    bits = "".join(f"{91 * high + low:013b}"[::-1] for high, low in pairs)
+    data = bytes(int(bits[at : at + 8][::-1], 2) for at in range(0, len(bits), 8))
     return tuple(json.loads(zlib.decompressobj(-zlib.MAX_WBITS).decompress(data)))
 
 

@@ -19,7 +19,7 @@ from tests.page.lessons import PARTS, bundle_of, lesson_of, page_of
 from vad.cli.run import run
 from vad.errors import UsageError
 from vad.files.examples import example_names, example_path
-from vad.page.document import document
+from vad.page.document import document, section
 from vad.page.parts import parts
 from vad.page.spoken import spoken
 from vad.page.themed import CONTRAST, contrast, readable
@@ -176,8 +176,8 @@ def test_results_that_have_not_the_room_are_smaller():
 
 
 def test_a_chapter_begins_with_its_panel_and_is_as_long():
-    html = page_of("slider-crank")
-    chapters = re.findall(r'<button data-x="(\d+)" style="flex-grow:(\d+)">(.*?)</button>', html)
+    player = bundle_of(page_of("slider-crank"))[4][-1]
+    chapters = re.findall(r'<button data-x="(\d+)" style="flex-grow:(\d+)">(.*?)</button>', player)
     panels = lesson_of("slider-crank").sheet.panels
     counts = [len(panel.strokes) for panel in panels]
     starts = [sum(counts[:place]) for place in range(len(counts))]
@@ -185,6 +185,18 @@ def test_a_chapter_begins_with_its_panel_and_is_as_long():
         (start, count, panel.title)
         for start, count, panel in zip(starts, counts, panels, strict=True)
     ]
+
+
+@pytest.mark.parametrize(("name", "whole"), EVERY)
+def test_what_is_seen_only_where_scripts_run_is_packed_in_its_order(name: str, whole: bool) -> None:
+    lesson, html = lesson_of(name, whole=whole), page_of(name, whole=whole)
+    late, empty = bundle_of(html)[4], r'<g data-b="[^"]*">(?=</g>)|<div class="control"[^>]*>'
+    body = html.partition("<body>\n")[2].partition('<script type="text/plain"')[0]
+    assert len(re.findall(empty, body)) == len(late)
+    left = iter(late)
+    again = re.sub(empty, lambda found: found[0] + next(left), body)
+    assert again == section(lesson, parts(lesson))
+    assert body.count('<g data-b="') == len(late) - 1
 
 
 def test_a_pencil_draws_on_a_page_what_flies_in_a_film():

@@ -6,7 +6,8 @@ The HTML loads nothing: its security policy forbids every request.
 from __future__ import annotations
 
 import json
-from base64 import a85encode, b64encode
+import re
+from base64 import b64encode
 from collections.abc import Sequence
 from functools import cache
 from hashlib import sha256
@@ -26,8 +27,16 @@ from vad.words import Language
 
 #: The style of what is printed, if the page has it.
 _PRINTED = "paper"
-#: From the signs of Ascii85 to those of ``unpack.js``.
-_SIGNS = bytes.maketrans(bytes(range(33, 118)), bytes(range(40, 125)).replace(b"<", b"~"))
+#: The signs of ``unpack.js``, and how many bits two of them hold.
+_SIGNS = [sign for sign in map(chr, range(32, 127)) if sign not in "\"&'<"]
+_BITS = 13
+#: Of deflate: short blocks, each with codes of its own, as script and data are of several kinds.
+_MEMORY = 5
+#: What is seen only where scripts run: links that are highlighted for a while, and the player.
+_LATE = (
+    re.compile(r'(<g data-b="[^"]*">)((?:<g[ >](?:(?!</?g[ >]).)*</g>|(?!</?g[ >]).)*)(</g>)'),
+    re.compile(r'(<div class="control"[^>]*>)(.*</dialog>\n)(</div>)', re.DOTALL),
+)
 # A page unpacks its script, its data and the rules for both, and only then is more than a sheet and
 # a list.
 _BEGIN = (
@@ -41,6 +50,7 @@ _START = (
     # Who likes the dark is shown the board.
     "if(/\\bchalk\\b/.test(root.dataset.themes)&&"
     "matchMedia('(prefers-color-scheme: dark)').matches)root.dataset.theme='chalk';"
+    "root.querySelectorAll('g[data-b]:empty,.control:empty').forEach((each,i)=>each.innerHTML=packed[4][i]);"
     "const svgs=root.querySelectorAll('.drawing svg');"
     "packed[2].forEach((layer,i)=>svgs[i].insertAdjacentHTML('beforeend',layer));"
     "const player=mount(root,data);"
@@ -100,14 +110,44 @@ def beginning() -> str:
 
 def packed(text: str) -> str:
     """Return a text as ``unpack.js`` reads it."""
-    deflate = compressobj(9, DEFLATED, -MAX_WBITS)
+    deflate = compressobj(9, DEFLATED, -MAX_WBITS, _MEMORY)
     return signs(deflate.compress(text.encode()) + deflate.flush())
 
 
 def signs(data: bytes) -> str:
-    """Return bytes as ``unpack.js`` reads them: four in five signs, none of which begins a tag."""
-    whole = a85encode(data, pad=True).replace(b"z", b"!!!!!")
-    return whole.translate(_SIGNS).decode()
+    """Return bytes as ``unpack.js`` reads them: 13 bits in two signs."""
+    found: list[str] = []
+    kept = many = 0
+    for byte in (*data, 0, 0):  # so that the last bits are whole, too
+        kept |= byte << many
+        many += 8
+        if many >= _BITS:
+            high, low = divmod(kept % 2**_BITS, len(_SIGNS))
+            found += _SIGNS[high], _SIGNS[low]
+            kept >>= _BITS
+            many -= _BITS
+    return "".join(found)
+
+
+def parted(text: str) -> tuple[str, list[str]]:
+    """Return the parts of a page without what is seen only where scripts run, and that.
+
+    The elements that hold it stay; what was in each of them is listed in their order.
+
+    Examples
+    --------
+    >>> parted('<g data-s="1"><path/></g><g data-b="3 5"><g><use/></g></g>')
+    ('<g data-s="1"><path/></g><g data-b="3 5"></g>', ['<g><use/></g>'])
+    """
+    late: list[str] = []
+
+    def emptied(found: re.Match[str]) -> str:
+        late.append(found[2])
+        return found[1] + found[3]
+
+    for pattern in _LATE:
+        text = pattern.sub(emptied, text)
+    return text, late
 
 
 def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: bool = False) -> str:
@@ -137,7 +177,8 @@ def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: b
         "default-src 'none'; style-src 'unsafe-inline'; font-src data:; "
         f"script-src {allowed}; base-uri 'none'; form-action 'none'"
     )
-    bundle = packed(_json([run[1], data, layers, asset("player.css")]))
+    seen, late = parted(section(lesson, made))
+    bundle = packed(_json([run[1], data, layers, asset("player.css"), late]))
     return (
         f'<!DOCTYPE html>\n<html lang="{lesson.sheet.language}">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
@@ -145,7 +186,7 @@ def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: b
         f"<title>{escape(title(lesson.sheet))}</title>\n"
         f"<style>\n{made.faces.rules()}{asset('page.css')}"
         f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
-        f"</style>\n</head>\n<body>\n{section(lesson, made)}"
+        f"</style>\n</head>\n<body>\n{seen}"
         f'<script type="text/plain" id="data">{bundle}</script>\n'
         f"<script>{run[0]}</script>\n</body>\n</html>\n"
     )
