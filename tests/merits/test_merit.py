@@ -305,3 +305,11 @@ def test_in_space_what_makes_sense_is_there():
     joint = vad.merit(vad.HookeJoint(shaft_angle=30))["extremes"]["driven.omega"]
     assert joint["largest"] == pytest.approx(10.0 / math.cos(math.pi / 6), rel=1e-14)
     assert joint["least"] == pytest.approx(10.0 * math.cos(math.pi / 6), rel=1e-14)
+
+
+def test_the_places_of_a_crank_that_turns_to_and_fro_are_angles_from_0_to_360():
+    """Its range is written from -151° to 151°, and rounding makes -3·10⁻¹⁴° of the place 0."""
+    rocker = vad.FourBar(ground=100, crank=26.6, coupler=91.63, rocker=32.3)
+    most = vad.merit(rocker)["transmission"]
+    assert most["least_at"] == 0.0
+    assert most["largest_at"] == pytest.approx(209.042, abs=1e-3)

@@ -63,6 +63,8 @@ class Piece:
         Whether the range is a whole turn.
     turns
         Whether the values are angles, which run on beyond 360.
+    driver_turns
+        Whether the places are angles, of a driver that turns.
     """
 
     places: Array
@@ -71,6 +73,7 @@ class Piece:
     boundless: tuple[tuple[float, float], ...]
     whole: bool
     turns: bool
+    driver_turns: bool
 
 
 def part_of(solver: AnySolver, result: Result, axis: str = "") -> Operand:
@@ -109,24 +112,29 @@ def pieces(
         return np.where(np.isfinite(found), found, math.nan)
 
     found = []
+    angle = solver.driver.kind == "angle"
     for low, high in ranges:
-        whole = high - low == _TURN and solver.driver.kind == "angle"
+        whole = high - low == _TURN and angle
         grid = _turn(low) if whole else grid_between(low, high)
         turning = crossings(lambda places: measured(slope, places), grid)
         if whole:
             turning = np.where(turning > high - _ROUNDED, turning - _TURN, turning)
             grid = grid[:-1]
-        turning = np.unique(np.where(np.abs(turning) < _ROUNDED, 0.0, turning))
-        places = np.union1d(grid, turning)
+        turning = np.unique(_about_zero(turning))
+        places = np.union1d(_about_zero(grid) if angle else grid, turning)
         values = measured(value, places)
         grows = [] if whole else [_boundless(measured, value, low, high, end) for end in (0, 1)]
         run_on = _unwrapped(values) if turns else values
-        found.append(Piece(places, run_on, turning, tuple(filter(None, grows)), whole, turns))
+        ends = tuple(filter(None, grows))
+        found.append(Piece(places, run_on, turning, ends, whole, turns, angle))
     return found
 
 
 def extremes(found: Sequence[Piece]) -> Extremes | None:
-    """Return the least and the largest value; None where there is no value at all."""
+    """Return the least and the largest value; None where there is no value at all.
+
+    The place of a driver that turns is an angle from 0 to 360.
+    """
     chosen: list[tuple[float | None, float]] = []
     for sign in (-1.0, 1.0):
         beyond = [place for piece in found for place, way in piece.boundless if way == sign]
@@ -139,8 +147,9 @@ def extremes(found: Sequence[Piece]) -> Extremes | None:
         if not best:
             return None
         size, place = max(best, key=lambda each: each[0])
-        value = (None, beyond[0]) if beyond else (sign * size + 0.0, place)
-        chosen.append(value)
+        value, at = (None, beyond[0]) if beyond else (sign * size + 0.0, place)
+        turned = any(piece.driver_turns for piece in found)
+        chosen.append((value, at % _TURN % _TURN if turned else at))
     return Extremes(*chosen[0], *chosen[1])
 
 
@@ -155,6 +164,11 @@ def _boundless(
     if (np.abs(sizes[1:]) > _GROWS * np.abs(sizes[:-1])).all():  # never where it is not known
         return (high if end else low), math.copysign(1.0, float(sizes[-1]))
     return None
+
+
+def _about_zero(places: Array) -> Array:
+    """Return places, with 0 for one that only rounding tells from it."""
+    return np.where(np.abs(places) < _ROUNDED, 0.0, places)
 
 
 def _turn(low: float) -> Array:
