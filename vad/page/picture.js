@@ -124,23 +124,51 @@ function picture(root, solve, data) {
   }
 
   // What is measured.
-  const tables = [...root.querySelectorAll(".results tbody tr")].map((row) =>
-    [...row.querySelectorAll("td")].map((cell) => [...cell.querySelectorAll(".cell")]));
+  const tables = [...root.querySelectorAll(".results tbody tr")].map((row) => [...row.querySelectorAll("td")]);
   const cells = data.cells.flatMap(([row, column, at, place, factor, units, given]) => {
-    const element = tables[row]?.[column]?.[at];
+    const element = tables[row]?.[column]?.querySelectorAll(".cell")[at];
     if (!element) return [];
     const said = element.textContent.replaceAll("\u00a0", " ");
     return [{ element, place, factor, units, given, bare: !said.endsWith(units.replace("²", "2")) && !said.endsWith(units), text: document.createTextNode("") }];
   });
 
+  // Numbers that grow beyond their column get smaller type, and keep it: only what is longer than all
+  // before is measured.
+  const APART = 8, SIGNS = { ".": 1, ",": 1, "\u202f": 0.6, "−": 2.8 }, longest = new Map();
+  addEventListener("resize", () => longest.clear());
+  const fitting = tables.flat().filter((column) => column.firstElementChild?.children.length);
+  function fit() {
+    const measured = fitting.flatMap((column) => {
+      const [box] = column.children, long = [...column.textContent].reduce((sum, sign) => sum + (SIGNS[sign] ?? 2), 0);
+      if (long <= (longest.get(column) ?? 0) || !box.clientWidth) return [];
+      longest.set(column, long);
+      const wide = [...column.querySelectorAll(".cell")].reduce((sum, each) => sum + each.offsetWidth + APART, -APART);
+      return [[column, (box.clientWidth - getComputedStyle(box).paddingRight.slice(0, -2)) / wide]];
+    });
+    for (const [{ style }, part] of measured)
+      if (part < 1) style.setProperty("--fit", part * (style.getPropertyValue("--fit") || 1));
+  }
+
+  // What is nothing beside the largest of its unit, in the table or as a vector, is rounding noise.
+  const NOTHING = 1e-12;
+  function beside() {
+    const most = {}, seen = (unit, size) => { if (size > (most[unit] ?? 0)) most[unit] = size; };
+    for (const { place, factor, units } of cells) seen(units, Math.abs(out[place] * factor));
+    for (const { bar, input } of data.polygons) if (bar) seen(bar.unit, bar.factor / state[input + 2]);
+    seen("rad/s²", most["rad/s"] ** 2);
+    return most;
+  }
+
   // A lesson keeps its own numbers.
   function write() {
+    const most = beside();
     for (const { element, place, factor, units, given, bare, text } of root.classList.contains("turned") ? cells : []) {
       if (!text.isConnected) {
         [...element.childNodes].slice(1).forEach((each) => each.remove());
         element.append(text);
       }
-      const value = out[place] * factor, exists = value - value === 0;
+      const found = out[place] * factor, exists = found - found === 0;
+      const value = !given && Math.abs(found) < NOTHING * most[units] ? 0 : found;
       let says = written(value, units, given, data.point);
       if (bare && exists && units !== "°") says = says.slice(0, -units.length - 1);
       says = `= ${says.replaceAll(" ", "\u00a0")}`;
@@ -149,6 +177,7 @@ function picture(root, solve, data) {
         counts.attributes++;
       }
     }
+    fit();
     for (const { text, value } of names.all)
       if (value !== undefined) {
         const says = written(out[value], "°", false, data.point);

@@ -1,0 +1,64 @@
+"""The table under the hand: numbers stay in their columns, and rounding noise is zero."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+import vad
+from tests.browser import opened
+from tests.page.lessons import show
+from vad.files.examples import example_path
+from vad.page.document import document
+
+#: Moves the driver over its track; returns by how much cells are too near, and past their panel.
+_WALK = """() => {
+  const [name] = Object.keys(vad.state), track = document.querySelector(".turner");
+  const box = (each) => each.getBoundingClientRect();
+  const edges = [...document.querySelectorAll(".panel .top")].map((each) => box(each).right);
+  const rows = [...document.querySelectorAll(".results tbody tr")];
+  let near = Infinity, past = -Infinity;
+  for (let n = 0; n < 36; n++) {
+    vad.pose({ [name]: +track.min + (track.max - track.min) * (n + 0.37) / 36 });
+    for (const row of rows)
+      [...row.querySelectorAll("td")].forEach((column, at) => {
+        const cells = [...column.querySelectorAll(".cell")].map(box);
+        cells.forEach(({ left, right }, k) => {
+          past = Math.max(past, right - edges[at]);
+          if (k) near = Math.min(near, left - cells[k - 1].right);
+        });
+      });
+  }
+  return [near, past];
+}"""
+
+
+def opened_hand(page: Page, folder: Path, name: str) -> None:
+    """Show a mechanism in the hand."""
+    kind = vad.MECHANISMS.get(name) or vad.load(example_path(name))
+    show(page, folder, document(vad.animate(vad.draw(vad.solve(kind())))), "#hand")
+
+
+@pytest.mark.parametrize("name", ["spatial-four-bar", "oscillating-cylinder", "double-slider"])
+def test_numbers_stay_in_their_columns(name: str, browser: Browser, tmp_path: Path) -> None:
+    size = {"width": 1280, "height": 720}
+    with opened(browser, viewport=size, reduced_motion="reduce") as page:
+        opened_hand(page, tmp_path, name)
+        near, past = page.evaluate(_WALK)
+        assert near > 5.0
+        assert past < 1.0
+        page.set_viewport_size({"width": 1024, "height": 640})
+        near, past = page.evaluate(_WALK)
+        assert near > 3.0
+        assert past < 1.0
+
+
+def test_rounding_noise_is_zero(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser, reduced_motion="reduce") as page:
+        opened_hand(page, tmp_path, "scissor-lift")
+        page.evaluate("() => vad.pose({ position: 1217.3 })")
+        cells = page.locator(".results .cell")
+        expect(cells.nth(-2)).to_have_text("a= 0 mm/s²")
+        assert not [text for text in cells.all_inner_texts() if "×10⁻" in text]
