@@ -9,7 +9,7 @@ import pytest
 import vad
 from vad.cli.run import run
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import done, moments
+from vad.lecture.moment import NOTHING, done, moments
 from vad.lecture.telling import reading, told, told_together
 from vad.strokes.sheet import Sheet
 
@@ -49,6 +49,7 @@ def test_it_opens_with_the_first_dyad_on_the_board(lesson: Lesson):
     opening, frames = next(moments(lesson))
     strokes = lesson.sheet.panels[0].strokes
     assert (opening.beat, frames) == (done(lesson.begun), lesson.opening)
+    assert opening.said == NOTHING
     assert strokes[lesson.begun].name == "DC.bar"
     assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
 

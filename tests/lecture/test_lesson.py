@@ -12,7 +12,7 @@ import pytest
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.lesson import animate
-from vad.lecture.moment import Moment, done, drawing, finished, moment, moments, smooth
+from vad.lecture.moment import NOTHING, Moment, done, drawing, finished, moment, moments, smooth
 from vad.lecture.pace import rest
 from vad.lecture.turn import turn
 from vad.mechanisms.four_bar import FourBar
@@ -46,9 +46,10 @@ def test_every_frame_has_one_state_and_strokes_only_grow():
     lesson = animate(slider_crank(), fps=10)
     states = [moment(lesson, number) for number in range(lesson.frames)]
     assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
-    assert states[0] == Moment(done(0))
+    opening = states[: lesson.opening]
+    assert {*opening} == {Moment(done(len(lesson.sheet.panels[0].strokes)), said=NOTHING)}
     assert states[-1] == Moment(finished(len(lesson.steps)), scene=3)
-    for before, after in pairwise(states):
+    for before, after in pairwise([Moment(done(0)), *states[lesson.opening :]]):
         assert after.beat - before.beat in (0, 1, 2)
         assert after.share == 1.0 or after.beat % 2 == 1
         if before.beat == after.beat and after.share < 1.0:

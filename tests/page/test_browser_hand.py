@@ -70,8 +70,11 @@ def crank(page: Page) -> float:
     return 40.0 * float(
         page.evaluate(
             """() => {
-              const bar = document.querySelector('.scale .bar').getBoundingClientRect().width;
-              return bar / parseFloat(document.querySelector('.scale').textContent);
+              const svg = document.querySelector('.drawing svg');
+              const bar = document.querySelector('.scale .bar');
+              const bigger = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+              const long = bigger * bar.style.getPropertyValue('--n');
+              return long / parseFloat(bar.parentNode.textContent);
             }"""
         )
     )
@@ -102,7 +105,7 @@ def test_the_table_follows_and_comes_back(page: Page) -> None:
     before = table.inner_html()
     page.evaluate("() => vad.pose({ angle: 128.4, omega: 5 })")
     truth = vad.solve(vad.FourBar(), angle=128.4, omega=5.0)
-    text = table.inner_text()
+    text = table.text_content()
     assert f"{truth.link('rocker').angle:.1f}°" in text and "128.4°" in text
     assert page.locator(".turned .label:visible").count() > 3
     page.locator("[data-do=return]").click()

@@ -21,9 +21,20 @@ from tests.page.lessons import (
     show,
 )
 
+#: How many groups of strokes are seen in each panel.
+_SEEN = """() => [...document.querySelectorAll(".drawing svg")].map((svg) =>
+  [...svg.children].filter((each) => getComputedStyle(each).display !== "none").length)"""
 
-def test_it_opens_empty_and_in_its_own_type(lesson: Page) -> None:
+
+def test_it_opens_with_the_mechanism_and_in_its_own_type(lesson: Page) -> None:
     assert at(lesson) == 0
+    opened = lesson.evaluate(_SEEN)
+    assert opened[0] > 5 and opened[1:] == [0, 0]
+    scrub(lesson, FIRST[1])
+    assert lesson.evaluate(_SEEN) == opened
+    scrub(lesson, 0.5)
+    assert lesson.evaluate(_SEEN)[0] < opened[0]
+    press(lesson, "Home")
     expect(lesson.locator(".caption")).to_have_text(WORDS["begin"])
     scrub(lesson, 7)  # a new value is bold
     loaded = """async () => {
@@ -161,7 +172,7 @@ def test_play_takes_the_time_of_the_lesson(browser: Browser, tmp_path: Path) -> 
         page.clock.install(time=0)
         show(page, tmp_path, page_of("slider-crank"))
         page.locator(".speed").select_option("4")
-        seconds = sum(step.grow + step.hold for step in LESSON.steps) / LESSON.fps / 4
+        seconds = sum(step.frames for step in LESSON.steps) / LESSON.fps / 4
         button = page.locator("[data-do=play]")
         page.clock.pause_at(60)  # from here on its time runs by the test alone
         button.click()

@@ -115,7 +115,7 @@ def test_inks_can_be_read_as_letters(name: str) -> None:
         assert letters == ink or contrast(ink, style.background) < CONTRAST
 
 
-def test_a_sheet_opens_finished_and_a_lesson_empty(tmp_path: Path) -> None:
+def test_a_sheet_opens_finished_and_a_lesson_at_its_first_stroke(tmp_path: Path) -> None:
     lesson = lesson_of("four-bar")
     for thing, start in ((lesson, 0), (lesson.sheet, len(lesson.steps))):
         vad.save(thing, tmp_path / "a.html")
@@ -208,6 +208,6 @@ def test_a_pencil_draws_on_a_page_what_flies_in_a_film():
     ):
         grow, hold = (round(each * lesson.fps) for each in times[:2])
         assert abs(grow - drawn.grow) <= 1
-        assert grow + hold == step.grow + step.hold
+        assert grow + hold == step.frames
         flown += step.grow > 2 * grow
     assert flown > 3

@@ -90,7 +90,7 @@ const form = () => find(".settings");
 function memory() {
   const { player, dock, body } = standing, all = [...root.querySelectorAll("button, input, select, summary, a")];
   return { x: player.x, held: dock.held, running: root.classList.contains("turning"), kept: dock.kept, past: dock.history,
-    shows: [...root.querySelectorAll(".shows button")].map((each) => each.getAttribute("aria-pressed")),
+    staged: player.staged, shows: [...root.querySelectorAll(".shows button")].map((each) => each.getAttribute("aria-pressed")),
     closed: rail.classList.contains("closed"), scrolled: rail.scrollTop, focus: all.indexOf(document.activeElement), count: all.length,
     inputs: body.data.inputs.join(), sides: body.data.sides.map((at) => body.state[at]), open: [...root.querySelectorAll(".set details")].map((each) => each.open) };
 }
@@ -105,6 +105,7 @@ function recalled(was) {
   root.querySelectorAll(".set details").forEach((each, i) => (each.open = was.open[i] ?? false));
   if (was.count === all.length && was.focus >= 0) all[was.focus].focus({ preventScroll: true });
   rail.scrollTop = was.scrolled;
+  if (was.held) standing.player.stage(was.staged, true);
   if (was.running) find("[data-do=play]").click();
 }
 

@@ -77,10 +77,10 @@ class LessonStep:
 class Lesson(Displayed):
     """A sheet that is drawn stroke by stroke.
 
-    ``opening`` frames show the empty page, ``closing`` frames the finished one with the ``answer``
-    in words, if it has one.  The last of them, where there are scenes, bring the panels to their
-    places in the sheet for ``glide``, and show it for ``settle``.  In a ``plain`` lesson nothing
-    flies from panel to panel.
+    ``opening`` frames show what is drawn first, as it will be (`opens`), ``closing`` frames the
+    finished page with the ``answer`` in words, if it has one.  The last of them, where there are
+    scenes, bring the panels to their places in the sheet for ``glide``, and show it for ``settle``.
+    In a ``plain`` lesson nothing flies from panel to panel.
     """
 
     sheet: Sheet
@@ -110,6 +110,15 @@ class Lesson(Displayed):
     def begun(self) -> int:
         """The number of strokes that are on the board before the first is drawn."""
         return next((i for i, step in enumerate(self.steps) if not step.there), len(self.steps))
+
+    @property
+    def opens(self) -> int:
+        """How many strokes are seen before the first is drawn: those of the first scene.
+
+        So a film and a page begin with the mechanism.  Where strokes are on the board already, it
+        is those.
+        """
+        return self.begun or sum(step.scene == 0 for step in self.steps)
 
     def place(self, step: LessonStep) -> int:
         """Return the number of a step in its chapter, from 1; a polygon above counts, too."""

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from vad.lecture.lesson import Lesson
 
 
-#: More beats than any caption has.
-WHOLE = 1_000
+#: More beats than any caption has, and none: the caption is not there.
+WHOLE, NOTHING = 1_000, 0
 
 
 def smooth(share: float) -> float:
@@ -48,7 +48,8 @@ class Moment:
         Between two scenes, while the panels move, it is between their numbers.  After the last
         scene comes the whole sheet.
     said
-        How many beats of its caption have been said; `WHOLE` where it stands as a whole.
+        How many beats of its caption have been said; `WHOLE` where it stands as a whole, `NOTHING`
+        where there is none.
     """
 
     beat: int
@@ -78,7 +79,7 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
     A movement has at most ``most`` states per second.
     """
     pace = max(1.0, lesson.fps / most)
-    yield Moment(done(lesson.begun)), lesson.opening
+    yield Moment(done(lesson.opens), said=NOTHING), lesson.opening
     for number, step in enumerate(lesson.steps):
         grown = (
             (Moment(drawing(number), smooth(share), step.scene), repeats)

@@ -188,9 +188,9 @@ function docked(root, body, player) {
     if (gliding) halt();
     if (held) return;
     held = true;
+    player.take(acts);
     player.seek(Math.ceil(player.x));
     kept = player.x;
-    player.take(acts);
     if (!player.x || one(".grip.off")) player.seek(player.strokes());
     root.classList.add("turned");
     for (const [name, word] of Object.entries(RENAMED)) name_(name, words[word]);
@@ -327,7 +327,7 @@ function docked(root, body, player) {
     hand: enter,
     lesson: () => leave(),
     return: () => leave(),
-    all: () => { player.seek(player.strokes()); offer(); say(); back.focus(); },
+    all: () => { player.seek(player.strokes()); player.stage(-1); offer(); say(); back.focus(); },
     other: further,
     undo: () => redone(true),
     redo: () => redone(false),

@@ -199,7 +199,7 @@ def section(lesson: Lesson, made: Parts) -> str:
     strokes = Language(code).page("PLAYER")["strokes"]
     return (
         f'<main class="vad page" data-theme="{lesson.style}" data-themes="{names}">\n'
-        f'<div class="board" style="--h:{made.height}"><header>{made.head}</header>\n'
+        f'<div class="board" style="{made.measures.variables}"><header>{made.head}</header>\n'
         f'<div class="panels">{made.panels}</div>\n'
         f'<div class="results">{made.table}</div>\n'
         f"{player(code, titles, made.chapters, len(lesson.steps), made.lines)}</div>\n"

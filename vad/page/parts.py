@@ -6,7 +6,6 @@ file, the live page and the notebook are made of the same parts, and played by t
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
@@ -19,6 +18,7 @@ from vad.lecture.moment import drawing
 from vad.lecture.telling import beats
 from vad.page.hand import Hand, hand
 from vad.page.ink import Inker, when
+from vad.page.measures import Measures, measures
 from vad.page.spoken import spoken
 from vad.page.themed import Inks, lettered
 from vad.painting.posed import SIZE
@@ -64,13 +64,15 @@ class Parts:
     head, panels, table, chapters, steps
         HTML for the places of those names.
     data
-        What the script plays: ``first`` strokes and ``panels`` by name and title, ``times`` of
-        each stroke (seconds that it grows and rests), ``spoken`` captions, ``grow`` (see
+        What the script plays: ``first`` strokes and ``panels`` by name and title, how many strokes
+        are seen when it ``opens`` (see `vad.lecture.lesson.Lesson`), ``times`` of
+        each stroke (seconds that it grows and rests), how long panels ``move``
+        to the next scene (seconds, and with the rest after it), ``spoken`` captions, ``grow`` (see
         `vad.page.ink`) and ``words``.
     lines
         How many lines captions take.
-    height
-        The height of the board, without what is as high in every window, if it is 1280 wide.
+    measures
+        How high the board is, and how large its panels are.
     looks
         Rules of the classes in ``panels`` and ``table``.
     faces
@@ -84,7 +86,7 @@ class Parts:
     steps: str
     data: Mapping[str, Any]
     lines: int
-    height: int
+    measures: Measures
     looks: str
     faces: Faces
     hand: Hand | None = None
@@ -121,7 +123,10 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
     for phrase in Language(sheet.language).page("HAND").values() if turned else ():
         words.of(roman(phrase))
     moved = hand(turned, board, inker, words.of) if turned else None
-    drawn = [panel_section(board, panel, inker, words) for panel in sheet.panels]
+    found = measures(board)
+    drawn = [
+        panel_section(board, panel, inker, words, found.large[panel.name]) for panel in sheet.panels
+    ]
     results = table(board, style.key, inker, words)
     title = f"<h1>{words.of(roman(sheet.title), light=False, heavy=True)}</h1>"
     if sheet.subtitle:
@@ -149,18 +154,20 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
         + _stepped(lesson, turned, words),
         data={
             "first": first,
+            "opens": lesson.opens,
             "panels": [[panel.name, panel.title] for panel in sheet.panels],
             "times": [
                 [round(frames / lesson.fps, 3) for frames in (*_drawn(step), *step.beats)]
                 for step in lesson.steps
             ],
             "answer": _answer(lesson, words),
+            "move": _move(lesson),
             "spoken": [words for _, words in listed],
             "grow": inker.growths,
             "words": Language(sheet.language).page("PLAYER"),
         },
         lines=len(board.page.captions),
-        height=_height(board),
+        measures=found,
         looks=inker.classes.sheet(),
         faces=faces,
         hand=moved,
@@ -181,35 +188,19 @@ def _firm(piece: TextPiece) -> TextPiece:
 
 
 def _drawn(step: LessonStep) -> tuple[int, int]:
-    """Return for how many frames a pencil draws a stroke, which does not fly, and it rests."""
+    """Return for how many frames a pencil draws a stroke, which does not fly, and till the next."""
     drawn = min(step.pencil or step.grow, step.grow)
-    return drawn, step.grow + step.hold - drawn
+    return drawn, step.frames - drawn
 
 
-def _height(board: Plan) -> int:
-    """Return how high a board is, by the measures of the style sheet, in pixels of 1280 across."""
-    unit, sheet = board.form.unit, board.sheet
-    named = max(width(roman(sheet.title), 36 / unit), width(roman(sheet.subtitle), 23 / unit))
-    titled = named + width(roman(", ".join(map(text_of, parameters(sheet)))), 23 / unit)
-    lines = 43.2 + (27.6 if sheet.subtitle else 0.0)
-    inside = board.page.right - min(p.drawing.left for p in board.page.panels.values())
-    head = (
-        max(82.8, 28 + lines)
-        if titled * 1.05 + 30 / unit < inside
-        else 28 + lines + 27.6 * math.ceil(titled / inside)
-    )
-    panels = [
-        39.6 + place.drawing.height * unit + max(46.0, 12.0 + 31.0 * _foot_lines(board, panel))
-        for panel, place in zip(sheet.panels, board.page.panels.values(), strict=True)
+def _move(lesson: Lesson) -> list[float]:
+    """Return the seconds in which panels move to the next scene, and those and a rest; or none."""
+    found = [
+        [frames / lesson.fps for frames in (step.glide, step.glide + step.settle)]
+        for step in lesson.steps
+        if step.glide
     ]
-    table = 3.0 + 28.8 * len(sheet.rows)
-    caption = 12.0 + 33.0 * max(2, len(board.page.captions))
-    return math.ceil(head + max(panels) + table + caption)
-
-
-def _foot_lines(board: Plan, panel: Panel) -> int:
-    foot = compose(panel, board.page.panels[panel.name].drawing.width)
-    return len(foot.lines) + bool(foot.remark)
+    return [round(each, 3) for each in found[0]] if found else []
 
 
 def turned_board(lesson: Lesson) -> HandBoard | None:
@@ -272,14 +263,17 @@ def _chapter(chapter: Chapter, after: Chapter) -> str:
     return f'<button data-x="{chapter.step}" style="flex-grow:{count}"{more}>{name}</button>'
 
 
-def panel_section(board: Plan, panel: Panel, inker: Inker, words: RunWriter) -> str:
-    """Return a panel: its head, its drawing, its equations."""
+def panel_section(board: Plan, panel: Panel, inker: Inker, words: RunWriter, large: float) -> str:
+    """Return a panel: its head, its drawing, its equations.
+
+    While it is in work it is so many times as ``large``.
+    """
     begun = when([(drawing(board.sketches[panel.name].setting.first), FOREVER)])
     area, unit = board.page.panels[panel.name].drawing, board.form.unit
     name = words.of(roman(panel.title), light=False, heavy=True)
     return (
         f'<section class="panel" style="--w:{number(area.width * unit)};'
-        f'--d:{number(area.height * unit)}">'
+        f'--d:{number(area.height * unit)};--z:{number(large, 3)}">'
         f'<div class="top"{begun}><h2>{name}</h2>{scale_bar(board, panel, words)}</div>'
         f"{picture(board, panel, inker)}"
         f'<div class="foot"{begun}>{_foot(board, panel, inker, words)}</div></section>'

@@ -112,7 +112,7 @@ export function mount(root, data, { address = true } = {}) {
   const wide = matchMedia("(min-width: 64rem) and (min-height: 35rem)"), rail = one(".rail") ?? one(".steps");
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
-  let lesson, x = 0, mode = "", goal = 0, rest = 0, beat, spoken;
+  let lesson, x = 0, mode = "", goal = 0, rest = 0, beat, spoken, staged = -1;
   let frame = 0, then = 0, timer = 0, letters = true, kept = 0, others = null;
 
   const strokes = () => lesson.times.length;
@@ -138,17 +138,19 @@ export function mount(root, data, { address = true } = {}) {
 
   function paint(to) {
     x = clamp(to, 0, strokes());
-    const shown = calm.matches ? Math.ceil(x) : x, done = Math.floor(shown);
-    const now = shown === strokes() ? 2 * done + 1 : 2 * done + (shown > done);
-    if (now !== beat) turn(now, done);
+    const shown = calm.matches ? Math.ceil(x) : x, done = Math.floor(shown), fresh = beat === null;
+    const now = shown === strokes() ? 2 * done + 1 : shown ? 2 * done + (shown > done) : 2 * lesson.opens;
+    if (now !== beat) turn(now);
     for (const [since, show] of lesson.growing) if (since === now) show(smooth(shown - done));
     scrub.value = x;
     scrub.style.setProperty("--share", x / strokes());
     say(Math.ceil(x) - 1);
+    // The hand keeps the arrangement of the moment.
+    if (fresh || !others) stage(others ? staged : x < strokes() || rest > 0 ? lesson.panel : -1, fresh);
     root.dispatchEvent(new CustomEvent("vad:step", { detail: x }));
   }
 
-  function turn(now, done) {
+  function turn(now) {
     const was = beat;
     beat = now;
     for (const [element, times] of lesson.timed) {
@@ -160,7 +162,7 @@ export function mount(root, data, { address = true } = {}) {
     for (const [since, show] of lesson.growing) if (since === was) show(1);
     lesson.pictures.forEach((picture, i) => {
       const first = lesson.first[i], whole = length(i);
-      const label = { panel: lesson.panels[i][1], done: clamp(done - first, 0, whole), count: whole };
+      const label = { panel: lesson.panels[i][1], done: clamp((now >> 1) - first, 0, whole), count: whole };
       picture.setAttribute("aria-label", lesson.words.drawn.replace(/{(\w+)}/g, (_, key) => label[key]));
     });
   }
@@ -191,6 +193,7 @@ export function mount(root, data, { address = true } = {}) {
   function opened(at) {
     const panel = lesson.panel = panelOf(at), chapter = lesson.chapters.findLast((each) => each.dataset.x <= at);
     near(panel);
+    stage(panel);
     lesson.chapters.forEach((each) => each.setAttribute("aria-current", each === chapter));
     caption.textContent = status.textContent = chapter.title || chapter.textContent;
     count.textContent = `${at - lesson.first[panel]} / ${length(panel)}`;
@@ -204,8 +207,33 @@ export function mount(root, data, { address = true } = {}) {
     caption.dataset.said = 1 + starts.filter((start) => start <= past).length;
   }
 
+  // On a wide page one panel is large; -1 is the whole sheet. All that stands elsewhere then goes
+  // there, at once or as a move.
+  function stage(panel, atOnce) {
+    if (!lesson.move.length) panel = -1;
+    if (panel === staged && !atOnce) return;
+    const { pictures } = lesson, rows = all(".results tr"), moved = [...all(".top"), ...pictures, one(".results")];
+    const boxes = moved.map((each) => each.getBoundingClientRect());
+    moved.forEach((each) => each.getAnimations().forEach((old) => old.cancel()));
+    staged = panel;
+    root.classList.toggle("staged", panel >= 0);
+    const small = (each, i) => each.classList.toggle("small", i !== panel);
+    pictures.map((each) => each.closest(".panel")).forEach(small);
+    rows.forEach((row) => [...row.children].slice(1).forEach(small));
+    moved.forEach((each, i) => {
+      const { left, top, width } = each.getBoundingClientRect(), from = boxes[i];
+      if (atOnce || !width || !from.width) return;
+      const share = pictures.includes(each) ? from.width / width : 1;
+      const begin = { transformOrigin: "0 0", transform: `translate(${from.left - left}px,${from.top - top}px) scale(${share})` };
+      each.animate(calm.matches ? [{ opacity: 0 }, {}] : [begin, { transformOrigin: "0 0" }], {
+        duration: calm.matches ? 200 : 1000 * lesson.move[0] / speed.value, easing: "cubic-bezier(.333,0,.667,1)",
+      });
+    });
+  }
+
   // After the last stroke the answer is said in words.
   function conclude() {
+    stage(-1);
     if (!lesson.answer?.length) return;
     [caption.innerHTML, status.textContent] = lesson.answer;
     count.textContent = "";
@@ -256,7 +284,10 @@ export function mount(root, data, { address = true } = {}) {
 
   function run(how, to) {
     stop();
-    [mode, goal, rest, then] = [how, to, 0, performance.now()];
+    if (x === strokes()) x = 0;
+    const panel = panelOf(Math.floor(x)), moves = lesson.move.length && panel !== staged;
+    [mode, goal, rest, then] = [how, to, moves ? lesson.move[1] : 0, performance.now()];
+    if (moves) stage(panel);
     if (how === "play") {
       one("[data-do=play]").classList.add("on");
       label(lesson.words.pause);
@@ -280,6 +311,7 @@ export function mount(root, data, { address = true } = {}) {
     if (at !== x) paint(at);
     if (rest > 0 || at < goal) {
       if (mode === "play") beats(at);
+      if (at < goal && rest > 0 && rest <= lesson.move[1]) stage(panelOf(at));
       frame = requestAnimationFrame(tick);
     } else {
       const played = mode === "play";
@@ -288,12 +320,13 @@ export function mount(root, data, { address = true } = {}) {
     }
   }
 
-  function seek(to) {
+  function seek(to, atOnce) {
     stop();
     paint(to);
+    if (atOnce) stage(staged, true);
   }
 
-  const play = () => run("play", (x === strokes() && paint(0), strokes()));
+  const play = () => run("play", strokes());
   const next = () => Math.min(Math.floor(x) + 1, strokes());
   const does = {
     first: () => seek(0),
@@ -368,8 +401,8 @@ export function mount(root, data, { address = true } = {}) {
   on(scrub, "change", () => seek(Math.round(x)));
   on(scrub, "focus", () => (status.textContent = ""));
   on(one(".letters"), "change", (event) => (letters = event.target.checked));
-  on(window, "beforeprint", () => { kept = x; seek(strokes()); });
-  on(window, "afterprint", () => seek(kept));
+  on(window, "beforeprint", () => { kept = x; seek(strokes(), true); });
+  on(window, "afterprint", () => seek(kept, true));
   on(calm, "change", () => { beat = null; paint(x); });
   if (address) on(window, "hashchange", () => { const to = place(location.hash); if (to !== null) seek(to); });
 
@@ -388,9 +421,9 @@ export function mount(root, data, { address = true } = {}) {
   one("[data-do=full]").hidden = !document.fullscreenEnabled;
   one("[data-do=theme]").hidden = !root.dataset.themes?.includes(" ");
   load(data, data.start);
-  if (address) seek(place(location.hash) ?? x);
+  if (address) seek(place(location.hash) ?? x, true);
   return {
-    load, seek, play, stop, place, does, on, speed, status,
+    load, seek, play, stop, place, does, on, speed, status, stage,
     take: (mode) => { stop(); others = mode; label(lesson.words.play); },
     // The last stroke that is drawn: its panel, and its number there.
     where: () => { const last = Math.max(0, Math.ceil(x) - 1), panel = panelOf(last); return [panel, last - lesson.first[panel] + 1]; },
@@ -399,5 +432,6 @@ export function mount(root, data, { address = true } = {}) {
     whole: (panel) => x >= lesson.first[panel] + length(panel),
     dispose: () => { stop(); sized.disconnect(); measured.disconnect(); root.classList.remove("sized"); over.abort(); },
     get x() { return x; },
+    get staged() { return staged; },
   };
 }

@@ -118,7 +118,8 @@ def seen(board: Board, moment: Moment) -> Sequence[Item]:
     return [
         item
         for item in board.at(moment)
-        if item.words is ALWAYS or item.words[0] <= moment.said < item.words[1]
+        if (item.words is ALWAYS or item.words[0] <= moment.said < item.words[1])
+        and (moment.said or item.region != CAPTION)
     ]
 
 

@@ -1019,7 +1019,7 @@ PLAYER = {
     "close": "Schließen",
     "scrub": "Gezeichnete Striche",
     "drawn": "{panel}: {done} von {count} Strichen gezeichnet",
-    "begin": "Noch ist nichts gezeichnet. Abspielen oder Strich für Strich weitergehen.",
+    "begin": "Abspielen oder Strich für Strich weitergehen.",
     "controls": "Abspieler",
     "parts": "Diagramme",
     "key-space": "Leertaste",

@@ -880,7 +880,7 @@ PLAYER = {
     "close": "Close",
     "scrub": "Strokes drawn",
     "drawn": "{panel}: {done} of {count} strokes drawn",
-    "begin": "Nothing is drawn yet. Play, or take one stroke at a time.",
+    "begin": "Play the lesson, or take one stroke at a time.",
     "controls": "Player",
     "parts": "Diagrams",
     "key-space": "Space",

@@ -1002,7 +1002,7 @@ PLAYER = {
     "close": "Fermer",
     "scrub": "Traits dessinés",
     "drawn": "{panel} : {done} traits dessinés sur {count}",
-    "begin": "Rien n’est encore dessiné. Lire, ou avancer trait par trait.",
+    "begin": "Lire la leçon, ou avancer trait par trait.",
     "controls": "Lecteur",
     "parts": "Diagrammes",
     "key-space": "Espace",

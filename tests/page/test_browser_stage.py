@@ -1,0 +1,120 @@
+"""The stage of a page: the panel in work is large, and a change of panels is a move."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page
+
+from tests.browser import opened
+from tests.page.lessons import FIRST, STROKES, page_of, press, scrub, show
+
+#: Where the drawings are, the panels and the table, when all have come to rest.
+_PLACES = """() => {
+  document.getAnimations().forEach((each) => each.finish());
+  const box = ({ left, top, right, bottom }) => [left, top, right, bottom];
+  const all = (names) =>
+    [...document.querySelectorAll(names)].map((each) => box(each.getBoundingClientRect()));
+  return { drawings: all(".drawing svg"), panels: all(".panel"), table: all(".results table")[0],
+    board: all(".board")[0], texts: all(".small text"), scale: all(".panel:not(.small) .bar")[0] };
+}"""
+
+#: Stops all moves of drawings in their middle, and tells how long they last.
+_HALFWAY = """() => {
+  const moves = document.getAnimations().filter(({ effect: { target } }) =>
+    target.closest(".drawing"));
+  const lasts = moves.map((each) => each.effect.getTiming().duration);
+  moves.forEach((each, i) => { each.pause(); each.currentTime = lasts[i] / 2; });
+  return lasts;
+}"""
+_DRAWINGS = """() => [...document.querySelectorAll(".drawing svg")].map((each) => {
+  const { left, top, right, bottom } = each.getBoundingClientRect();
+  return [left, top, right, bottom];
+})"""
+
+
+def places(page: Page, x: float) -> dict[str, Any]:
+    """Return where all is after so many strokes."""
+    scrub(page, x)
+    found: dict[str, Any] = page.evaluate(_PLACES)
+    return found
+
+
+def wide(box: list[float]) -> float:
+    return box[2] - box[0]
+
+
+def high(box: list[float]) -> float:
+    return box[3] - box[1]
+
+
+def apart(one: list[float], other: list[float]) -> bool:
+    sides = [one[0] - other[2], other[0] - one[2], one[1] - other[3], other[1] - one[3]]
+    return max(sides) > 0.0
+
+
+def test_the_panel_in_work_is_large_and_at_the_end_the_sheet_stands_there(lesson: Page) -> None:
+    sheet = places(lesson, STROKES)
+    assert max(map(wide, sheet["panels"])) < 1.01 * min(map(wide, sheet["panels"]))
+    for number, first in enumerate(FIRST):
+        found = places(lesson, first + 1)
+        large = found["drawings"].pop(number)
+        panel = found["panels"].pop(number)
+        room = found["board"]
+        assert 0.55 < wide(panel) / (wide(room) - 55) < 0.65
+        area = found["table"][3] - panel[1]
+        assert high(large) > 0.55 * area
+        assert wide(large) > 1.25 * wide(sheet["drawings"][number])
+        for small in found["drawings"]:
+            assert 0.4 < wide(small) / wide(sheet["drawings"][number]) < 1.0
+        others = [*found["panels"], found["table"]]
+        boxes = [panel, *(each for each in others if high(each))]
+        for place, one in enumerate(boxes):
+            assert all(apart(one, other) for other in boxes[:place])
+        assert high(room) == pytest.approx(high(sheet["board"]), abs=1.0)
+        assert found["table"][3] <= panel[3] + 1.0
+        assert all(high(each) > 9.0 for each in found["texts"] if high(each))
+        ratio = wide(found["scale"]) / wide(large)
+        lesson.set_viewport_size({"width": 640, "height": 600})
+        narrow = lesson.evaluate(_PLACES)
+        shown = [each for each in narrow["panels"] if high(each)]
+        assert len(shown) == 2 and wide(shown[0]) == pytest.approx(wide(shown[1]), abs=1.0)
+        lesson.set_viewport_size({"width": 1280, "height": 720})
+        assert 0.05 < ratio < 0.9
+
+
+def test_a_change_of_panel_is_a_move_of_a_second(lesson: Page) -> None:
+    before = places(lesson, FIRST[1])["drawings"]
+    press(lesson, "Shift+ArrowRight")
+    lasts = lesson.evaluate(_HALFWAY)
+    half = lesson.evaluate(_DRAWINGS)
+    after = lesson.evaluate(_PLACES)["drawings"]
+    assert lasts == [1000] * 3
+    for one, middle, other in zip(before, half, after, strict=True):
+        assert middle == pytest.approx(
+            [(a + b) / 2 for a, b in zip(one, other, strict=True)], abs=1
+        )
+    assert wide(after[1]) > 1.5 * wide(before[1])
+
+
+def test_the_hand_keeps_the_arrangement_of_the_moment(lesson: Page) -> None:
+    before = places(lesson, FIRST[1] + 3)
+    press(lesson, "h")
+    held = lesson.evaluate(_PLACES)
+    assert held["drawings"] == before["drawings"] and held["table"][:2] == before["table"][:2]
+    lesson.locator("[data-do=all]").click()
+    assert lesson.evaluate(_PLACES)["drawings"] == places(lesson, STROKES)["drawings"]
+    press(lesson, "Escape")
+
+
+def test_who_wants_no_motion_sees_a_short_fade(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser, reduced_motion="reduce", viewport={"width": 1280, "height": 720}) as page:
+        show(page, tmp_path, page_of("slider-crank"), f"#step={FIRST[1]}")
+        press(page, "Shift+ArrowRight")
+        found = page.evaluate(
+            "() => document.getAnimations().map(({ effect }) => [effect.getTiming().duration,"
+            " effect.getKeyframes().some((each) => 'transform' in each)])"
+        )
+        assert found and all(each == [200, False] for each in found)
