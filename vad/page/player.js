@@ -217,7 +217,7 @@ export function mount(root, data, { address = true } = {}) {
     moved.forEach((each) => each.getAnimations().forEach((old) => old.cancel()));
     staged = panel;
     root.classList.toggle("staged", panel >= 0);
-    const small = (each, i) => each.classList.toggle("small", i !== panel);
+    const small = (each, i) => each?.classList.toggle("small", i !== panel);
     pictures.map((each) => each.closest(".panel")).forEach(small);
     rows.forEach((row) => [...row.children].slice(1).forEach(small));
     moved.forEach((each, i) => {
