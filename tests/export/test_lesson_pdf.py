@@ -67,7 +67,7 @@ class TestLesson:
 def test_a_still_is_the_board_of_the_film_in_its_scene(lesson: Lesson) -> None:
     """At the end of its step; a construction is shown while its tool is at work."""
     # Between strokes that are told together the film need not rest.
-    rests = {0, *(done(n) for n, step in enumerate(lesson.steps, 1) if step.hold)}
+    rests = {done(n) for n, step in enumerate(lesson.steps, 1) if step.hold}
     for panel in lesson.sheet.halves:
         ends = {last for _, last in told_together(panel)}
         assert all(s.hold for s in lesson.steps if s.panel is panel and s.index in ends)
