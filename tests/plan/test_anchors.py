@@ -13,6 +13,7 @@ import math
 import random
 from collections.abc import Iterator
 from dataclasses import asdict
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -30,6 +31,7 @@ from vad.plan.board import plan, rows_of
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.labels.choices import KeptLabels
+from vad.plan.lens import BAND, Seen
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon, Polyline
 from vad.plan.pictures import over_reach
 from vad.plan.pictures.polygon import Polygon as VectorPolygon
@@ -395,6 +397,35 @@ def check_dots(panel: Panel, sketch: Sketch, places: Places) -> None:
             assert min(abs(at - spot) for spot in spots) < 0.020, (stroke.name, vertex)
 
 
+def through(seen: Seen, sketch: Sketch) -> Scale:
+    """Return the scale at which a lens shows a panel."""
+    lens, scale = seen.lens, sketch.scale
+    middle = lens.at + lens.aside
+    return Scale(middle + lens.factor * (scale.origin - lens.place), lens.factor * scale.factor)
+
+
+def check_seen(mark: Mark, places: Places) -> None:
+    """Check that a lens shows a mark where it belongs at the scale of the lens, cut at its rim."""
+    assert isinstance(mark.hangs, Seen)
+    lens, stated = mark.hangs.lens, as_data(mark.hangs.shape)
+    found, rim = vertices(mark), lens.radius + BAND / 2
+    if stated["kind"] == "Ray":
+        line: Any = places.strokes[stated["stroke"]].shape
+        start = places.scale(line.through) + complex(*stated["aside"])
+        assert all(abs(((z - start) * line.direction.conjugate()).imag) < CLOSE for z in found)
+    elif stated["kind"] != "Stretch":
+        whole = expected(stated, places, mark)
+        closed = [*whole, whole[0]]
+        for spot in found:
+            on_it = min(abs(spot - z) for z in whole) < CLOSE or any(
+                abs(abs(spot - one) + abs(spot - other) - abs(one - other)) < 1e-6
+                for one, other in pairwise(closed)
+            )
+            assert on_it or abs(abs(spot - lens.at) - rim) < 0.001, (mark, spot)
+    if not isinstance(mark.shape, Disc):
+        assert all(abs(spot - lens.at) < rim + 0.001 for spot in found), mark
+
+
 def check(name: str, motions: list[Motion]) -> int:
     """Pose each picture of a mechanism, and return how many marks hang where they belong."""
     picture, seen = pictures(name), 0
@@ -406,6 +437,9 @@ def check(name: str, motions: list[Motion]) -> int:
             places, count = Places(motion, sheet, shown, sketch.scale), 0
             for stroke, mark in hung(sketch):
                 assert mark.hangs is not None, (stroke, mark.role)
+                if isinstance(mark.hangs, Seen):
+                    check_seen(mark, Places(motion, sheet, shown, through(mark.hangs, sketch)))
+                    continue
                 stated = as_data(mark.hangs)
                 for spot, place in zip(vertices(mark), expected(stated, places, mark), strict=True):
                     assert abs(spot - place) < CLOSE, (number, stroke, mark.role, stated)

@@ -181,14 +181,20 @@ def column(
     drawing: Rect,
     form: Format,
     scales: Mapping[str, Scale] = MappingProxyType({}),
+    lenses: bool = True,
 ) -> dict[str, Sketch]:
-    """Return the sketches of a panel and of the one below it, in the place of both."""
+    """Return the sketches of a panel and of the one below it, in the place of both.
+
+    A thumbnail has no ``lenses``.
+    """
     sketches: dict[str, Sketch] = {}
     rows, taken, aside = rows_of(sheet), None, beside(panel, drawing)
     for half, room in rooms(panel, drawing, OVERLAP):
         told = [number for number, each in enumerate(telling(sheet)) if each.half.name == half.name]
         scale = scales.get(half.name)
-        setting = Setting(sheet, half, room, rows, told, form.centimetre, scale, taken, aside)
+        setting = Setting(
+            sheet, half, room, rows, told, form.centimetre, scale, taken, aside, lenses
+        )
         sketches[half.name] = sketched(setting)
         taken = sketches[half.name].obstacles
     return sketches

@@ -37,6 +37,7 @@ class Level(IntEnum):
     STROKE = 5
     DOT = 6
     LABEL = 7
+    LENS = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)

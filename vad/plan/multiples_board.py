@@ -131,7 +131,8 @@ class MultiplesBoard:
         panel = replace(sheet.panel(name), inset=None)
         room = self._cell(number, name)
         aside = self._beside(number, name)
-        return Setting(sheet, panel, room, rows_of(sheet), (), self.form.centimetre, beside=aside)
+        rows, centimetre = rows_of(sheet), self.form.centimetre
+        return Setting(sheet, panel, room, rows, (), centimetre, beside=aside, lenses=False)
 
     def _sketched(self, name: str) -> Iterator[Sketch]:
         """Yield one kind of panel in all poses, at one scale."""

@@ -146,6 +146,11 @@ ROLES: dict[str, Role] = {
     "inset block": Role(fill="tint", line="row", width=0.0030),
     "inset arrow": Role(line="row", width=WHOLE),
     "inset sense": Role(line="row", width=0.0030),
+    # a lens
+    "lens": Role(fill="ground"),
+    "lens band": Role(line="ground", width=0.009),
+    "lens rim": Role(line="grey", width=0.0032),
+    "lens place": Role(line="grey", width=0.0022),
     # the tools
     "pencil": Role(fill="row"),
     "set square": Role(fill="grey", alpha=0.16),

@@ -9,17 +9,21 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from vad.lecture.moment import done, drawing
 from vad.plan.anchors import Anchor, Hung, Solved, Strip
 from vad.plan.geometry import Rect
 from vad.plan.items import ALWAYS, FOREVER, Item, Level, Span
 from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.lens import Lens
 from vad.plan.marks import Mark, Polyline
 from vad.plan.roles import BLOCK_RIM
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Panel, Sheet, Stroke
+
+if TYPE_CHECKING:
+    from vad.plan.labels.vertices import Vertex
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +33,31 @@ class Tag:
     text: str
     box: Rect
     span: Span = ALWAYS
+
+
+@dataclass(frozen=True, slots=True)
+class Close:
+    """A place where vertices that are not equal stand so close that they need a lens.
+
+    Attributes
+    ----------
+    members
+        The vertices that the lens shows, by their numbers.
+    middle, reach
+        The circle about them.
+    factor
+        How many times as large the lens shows them.
+    stroke, since
+        The number of the stroke that brings the second of the nearest two, and the beat from which
+        both are there.
+    """
+
+    members: tuple[int, ...]
+    middle: complex
+    reach: float
+    factor: float
+    stroke: int
+    since: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +82,8 @@ class Setting:
         The obstacles that are in the same room already: the polygon above.
     beside
         The room of the circle of bodies; None for a panel without one.
+    lenses
+        Whether a lens shows points that cannot be told apart.
     """
 
     sheet: Sheet
@@ -64,6 +95,7 @@ class Setting:
     scale: Scale | None = None
     taken: Obstacles | None = None
     beside: Rect | None = None
+    lenses: bool = True
 
     def clear(self) -> Obstacles:
         """Return what there is to keep clear of before anything is drawn."""
@@ -174,6 +206,10 @@ class Sketch:
     finished
         True for one pose of a turn, or one set by hand: only the final state of each stroke is
         drawn.
+    vertices
+        The points that bear letters.
+    close, lenses
+        The places where points cannot be told apart, and the lenses that show some of them.
     """
 
     setting: Setting
@@ -183,6 +219,9 @@ class Sketch:
     tags: list[Tag] = field(default_factory=list)
     lights: dict[str, list[Mark]] = field(default_factory=dict)
     finished: bool = False
+    vertices: Sequence[Vertex] = ()
+    close: list[Close] = field(default_factory=list)
+    lenses: list[Lens] = field(default_factory=list)
 
     @cached_property
     def solved(self) -> Solved:
@@ -261,6 +300,7 @@ class Sketch:
                 for link, marks in self.lights.items()
             },
             self.finished,
+            lenses=[lens.mapped(factor, shift) for lens in self.lenses],
         )
 
     def _beat(self, when: When, index: int) -> int:

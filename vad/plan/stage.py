@@ -156,8 +156,9 @@ class Stage:
         size = drawing.width / zoom, drawing.height / zoom
         key = panel.name, round(size[0], 9), round(size[1], 9)
         if key not in self._drawn:
-            bare = panel if panel.name == layout.large else _without_notes(panel)
-            self._drawn[key] = column(self.sheet, bare, Rect(0.0, 0.0, *size), self.form)
+            large = panel.name == layout.large
+            bare, room = panel if large else _without_notes(panel), Rect(0.0, 0.0, *size)
+            self._drawn[key] = column(self.sheet, bare, room, self.form, lenses=large)
         shift = complex(drawing.left, drawing.bottom)
         return {name: each.mapped(zoom, shift) for name, each in self._drawn[key].items()}
 

@@ -68,6 +68,7 @@ class PlacedLabels:
         self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
     ) -> None:
         """Add letters; see `LabelChoice`."""
+        sketch.vertices = vertices
         label_vertices(sketch, vertices, radius, near)
 
     def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:

@@ -160,7 +160,7 @@ def place_all(obstacles: Obstacles, wishes: Sequence[Wish]) -> Iterator[tuple[in
     The label with the fewest places near its dot comes next.  One without any comes last, so that
     it takes no place of another label.
     """
-    near = {number: _near(obstacles, wish) for number, wish in enumerate(wishes)}
+    near = {number: near_places(obstacles, wish) for number, wish in enumerate(wishes)}
     # Each round places one label.
     while near:
         number = min(near, key=lambda each: len(near[each]) or math.inf)
@@ -183,7 +183,7 @@ def has_place(obstacles: Obstacles, wide: float, high: float) -> bool:
     return bool(spots) and bool(obstacles.free(spots, wide, high, CLEARANCE, APART).any())
 
 
-def _near(obstacles: Obstacles, wish: Wish) -> list[Placed]:
+def near_places(obstacles: Obstacles, wish: Wish) -> list[Placed]:
     """Return where a label may stand without a leader, the best place first.
 
     It must stand clearly nearer to its own dot than to any other; where it cannot, it is at least

@@ -6,7 +6,7 @@ the items of the labels.  A line has its name beside it: ``⟂ BC``, ``2ωv``.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from itertools import combinations
@@ -224,17 +224,23 @@ def leader_of(anchor: Anchor, at: complex, ends: tuple[complex, complex]) -> Mar
 
 
 def label_vertices(
-    sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
+    sketch: Sketch,
+    vertices: Sequence[Vertex],
+    radius: float,
+    near: Sequence[float],
+    among: Sequence[Vertex] = (),
+    until: int = FOREVER,
 ) -> None:
-    """Place the labels of all vertices, each once for all strokes.
+    """Place the labels of some vertices ``among`` others, each once for all strokes.
 
-    They have one size, the largest at which each has a clear place.
+    They have one size, the largest at which each has a clear place, and show ``until`` a beat.
     """
     tried: list[tuple[int, float, list[tuple[int, Placed]], Obstacles]] = []
+    all_ = among or vertices
     for size in LETTERS:
         wishes = [
-            replace(wish(vertex, vertices, radius, near, size), span=_span(sketch, vertex))
-            for vertex in vertices
+            replace(wish(each, all_, radius, near, size), span=_span(sketch, each, until))
+            for each in vertices
         ]
         crowd = sketch.obstacles.copy()
         found = list(place_all(crowd, wishes))
@@ -244,7 +250,7 @@ def label_vertices(
     _, size, found, crowd = min(tried, key=lambda each: each[0])
     sketch.obstacles = crowd
     for index, placed in found:
-        _letter(sketch, vertices[index], placed, size)
+        add_letters(sketch, vertices[index], placed, size, _span(sketch, vertices[index], until))
 
 
 def wish(
@@ -274,26 +280,39 @@ def _size(letters: tuple[str, ...], size: float) -> tuple[float, float]:
     return max(widths), max(heights) + (len(heights) - 1) * LEADING * size
 
 
-def _span(sketch: Sketch, vertex: Vertex) -> Span:
+def _span(sketch: Sketch, vertex: Vertex, until: int) -> Span:
     """Return the beats in which the label of a vertex shows."""
-    return sketch.setting.after(vertex.since), FOREVER
+    return sketch.setting.after(vertex.since), until
 
 
 def _set(letters: Sequence[str]) -> Runs:
     return symbols(", ".join(letters))
 
 
-def _letter(sketch: Sketch, vertex: Vertex, placed: Placed, size: float) -> None:
-    """Add the label of a vertex, which grows by a letter with the stroke that brings it."""
+def add_letters(
+    sketch: Sketch,
+    vertex: Vertex,
+    placed: Placed,
+    size: float,
+    span: Span,
+    level: Level = Level.LABEL,
+    through: Callable[[Mark], Mark] = lambda mark: mark,
+) -> None:
+    """Add the label of a vertex, which grows by a letter with the stroke that brings it.
+
+    It shows in a ``span`` of beats; its marks hang ``through`` a lens where one shows it.
+    """
     setting, rows = sketch.setting, vertex.rows
     strokes = setting.panel.strokes
-    sketch.tags.append(Tag(vertex.label, placed.box, _span(sketch, vertex)))
+    sketch.tags.append(Tag(vertex.label, placed.box, span))
     if placed.leader:
-        leader = leader_of(vertex.anchor, vertex.at, placed.leader)
-        sketch.add(strokes[vertex.since], Level.LABEL, setting.after(vertex.since), [leader])
+        leader = through(leader_of(vertex.anchor, vertex.at, placed.leader))
+        sketch.add(strokes[vertex.since], level, span[0], [leader], span[1])
     numbers = sorted(set(vertex.letters.values()))
-    ends = [*map(setting.after, numbers[1:]), FOREVER]
-    for index, until in zip(numbers, ends, strict=True):
+    beats = [max(setting.after(index), span[0]) for index in numbers]
+    for index, since, until in zip(numbers, beats, [*beats[1:], span[1]], strict=True):
+        if since >= (until := min(until, span[1])):
+            continue
         texts = []
         for number, row in enumerate(rows):
             known = [letter for letter in row if vertex.letters[letter] <= index]
@@ -302,8 +321,8 @@ def _letter(sketch: Sketch, vertex: Vertex, placed: Placed, size: float) -> None
                 hung, runs = (vertex.anchor, vertex.at), (_set(known), _set(row))
                 spot = placed.centre + above
                 text = text_beside(*hung, runs[0], spot, size, "letter", whole=runs[1])
-                texts.append(text)
-        sketch.add(strokes[index], Level.LABEL, setting.after(index), texts, until)
+                texts.append(through(text))
+        sketch.add(strokes[index], level, since, texts, until)
 
 
 def add_tag(

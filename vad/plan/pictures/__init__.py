@@ -12,8 +12,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Protocol
 
+from vad.plan.geometry import Rect
 from vad.plan.labels.choices import PLACED, LabelChoice
 from vad.plan.pictures import polygon
+from vad.plan.pictures.lenses import with_lenses
 from vad.plan.pictures.skeleton import Skeleton, angle_centre
 from vad.plan.pictures.supports import add_dimension
 from vad.plan.pictures.views import Views
@@ -54,10 +56,14 @@ class Picture(Protocol):
 def sketched(setting: Setting) -> Sketch:
     """Return all that a lesson shows of a panel; the finished part is a still."""
     panel, scale = setting.panel, setting.scale
+
+    def skeleton(room: Rect, labels: LabelChoice) -> Sketch:
+        usual = fill(corners(panel), room, True, setting.centimetre)
+        return Skeleton(setting, [panel], scale or usual).draw(labels)
+
     match panel.picture:
         case "skeleton":
-            usual = fill(corners(panel), setting.room, True, setting.centimetre)
-            return Skeleton(setting, [panel], scale or usual).draw()
+            return with_lenses(setting, skeleton)
         case "views":
             return Views(setting, [panel], scale or views_scale(setting, [panel])).draw()
         case "vectors":

@@ -33,6 +33,7 @@ from vad.plan.pictures.inset import (
     find_corner,
     reserved,
 )
+from vad.plan.pictures.lenses import with_lenses
 from vad.plan.pictures.shared_lines import NONE_SHARED, SharedLine
 from vad.plan.pictures.vectors import ALONE, Vector, add_vector, is_whole, place_vectors
 from vad.plan.reach import corners
@@ -173,11 +174,14 @@ class Polygon:
                 labels.vector(sketch, index, name)
 
 
-def draw(setting: Setting, labels: LabelChoice = PLACED) -> Sketch:
+def draw(setting: Setting) -> Sketch:
     """Return all that a lesson shows of a panel of vectors, and leaves standing in a still."""
-    sketch = _drawn(setting, setting.room, labels)
-    if setting.panel.inset:
-        sketch = _with_inset(setting, sketch, labels)
+
+    def drawn(room: Rect, labels: LabelChoice) -> Sketch | None:
+        sketch = _drawn(setting, room, labels)
+        return _with_inset(setting, sketch, labels, room) if setting.panel.inset else sketch
+
+    sketch = with_lenses(setting, drawn)
     points = [vertex.at for vertex in find_vertices(setting.panel, sketch.scale)]
     placed = place_vectors(sketch)
     for index, stroke in enumerate(setting.panel.strokes):
@@ -222,26 +226,28 @@ def _drawn(setting: Setting, room: Rect, labels: LabelChoice) -> Sketch:
     return Polygon(setting, scale).draw(labels)
 
 
-def _with_inset(setting: Setting, full: Sketch, labels: LabelChoice) -> Sketch:
+def _with_inset(setting: Setting, full: Sketch, labels: LabelChoice, room: Rect) -> Sketch | None:
     """Return the largest drawing that leaves a corner free for an inset, with the inset in it.
 
-    A smaller inset beside the full drawing comes before a smaller drawing.
+    A smaller inset beside the ``full`` drawing comes before a smaller drawing.  None where that
+    stands in a ``room`` of its own, in which it leaves none free.
     """
     panel, centimetre = setting.panel, setting.centimetre
     assert panel.inset is not None
     insets: list[Inset] = [
-        draw_inset(panel.inset, setting, size, room) for size, room in product(SIZES, CAPTION_ROOMS)
+        draw_inset(panel.inset, setting, size, wide) for size, wide in product(SIZES, CAPTION_ROOMS)
     ]
-    points, rooms = corners(panel), reserved(setting.room)
+    points, own = corners(panel), room is not setting.room
+    rooms = [] if own else reserved(setting.room)
     rooms.sort(key=lambda room: -fill(points, room, False, centimetre).factor)
-    for room in (None, *rooms):
-        sketch = _drawn(setting, room, labels) if room else full
+    for smaller in (None, *rooms):
+        sketch = _drawn(setting, smaller, labels) if smaller else full
         for inset in insets:
             spot = find_corner(sketch.obstacles, setting.room, inset)
             if spot:
                 add_inset(sketch, inset, spot)
                 return sketch
-    return full
+    return None if own else full
 
 
 def add_lower_bar(sketch: Sketch) -> None:

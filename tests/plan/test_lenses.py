@@ -1,0 +1,215 @@
+"""Lenses: when there is one, what it shows, and that it hides nothing."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import vad
+from tests.plan.overlaps import overlaps, planned
+from tests.plan.test_overlaps import RAMS, turn
+from vad.files.examples import example_names, example_path
+from vad.plan.board import Plan
+from vad.plan.items import FOREVER, Level
+from vad.plan.lens import BAND, Lens
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import plain
+from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
+from vad.plan.problem_sheet import blank_panels, problem
+from vad.plan.roles import ROLES
+from vad.plan.sketch import Sketch
+
+PIXEL = 1 / 720
+#: Roles that a lens may lie on, and those of its own frame.
+FRAME = {"lens", "lens band", "lens rim", "lens place", "leader", "notes", "scale bar"}
+
+
+@pytest.fixture(scope="module")
+def quick_return() -> Plan:
+    """The acceleration of the ram is ten pixels long, and that from c′ to eₙ one and a half."""
+    return planned(vad.draw(vad.solve(vad.Whitworth(rod=300), angle=120)))
+
+
+def ink(shape: Outline) -> np.ndarray:
+    """Return points close together all over the lines of a shape."""
+    match shape:
+        case Disc(centre, radius):
+            return np.array([centre, *(centre + radius * cmath.rect(1, k) for k in range(6))])
+        case Polyline(pieces):
+            lines = pieces
+        case Polygon(rings):
+            lines = tuple((*ring, ring[0]) for ring in rings)
+        case Bow():
+            lines = (tuple(shape.line(2.0)),)
+        case Lettering(runs, at, size):
+            wide, high = ink_size(runs, size)
+            low = at + 0.2j * high
+            return np.array([low, low + wide / 2, low + wide])
+    shares = np.linspace(0.0, 1.0, 60)
+    ends = [pair for line in lines for pair in pairwise(line)]
+    return np.concatenate([a + shares * (b - a) for a, b in ends] or [np.array([])])
+
+
+def standing(sketch: Sketch, lens: bool) -> list[Mark]:
+    """Return the marks that stay, of lenses or of all else."""
+    return [
+        mark
+        for item in sketch.items
+        if item.until == FOREVER and (item.level is Level.LENS) == lens
+        for mark in item.marks
+    ]
+
+
+def letters_in(sketch: Sketch, lens: Lens) -> set[str]:
+    """Return the labels in a lens."""
+    return {tag.text for tag in sketch.tags if abs(tag.box.centre - lens.at) < lens.radius}
+
+
+def check(sketch: Sketch) -> None:
+    """Check the lenses of a panel: nothing lies beneath, and all that is within is told apart."""
+    assert len(sketch.lenses) <= 2
+    room = sketch.setting.room
+    around = [ink(mark.shape) for mark in standing(sketch, lens=False)]
+    all_ink = np.concatenate(around)
+    for close, lens in zip(sketch.close, sketch.lenses, strict=True):
+        assert 0.068 - 1e-9 <= lens.radius <= 0.135 + 1e-9
+        assert lens.factor in (2, 4, 8, 20)
+        assert np.abs(all_ink - lens.at).min() > lens.radius + BAND, lens
+        box = lens.box.inside(BAND)
+        assert room.holds(complex(box.left, box.bottom), 0.009)
+        assert room.holds(complex(box.right, box.top), 0.009)
+        dots = [
+            mark.shape.centre
+            for mark in standing(sketch, lens=True)
+            if mark.role in ("dot", "joint", "point")
+            if isinstance(mark.shape, Disc) and abs(mark.shape.centre - lens.at) < lens.radius
+        ]
+        assert len(dots) >= 2
+        assert letters_in(sketch, lens)
+        for tag in sketch.tags:
+            if tag.span[1] <= close.since:
+                continue
+            corners = [
+                complex(x, y)
+                for x in (tag.box.left, tag.box.right)
+                for y in (tag.box.bottom, tag.box.top)
+            ]
+            within = [abs(corner - lens.at) < lens.radius for corner in corners]
+            assert all(within) or not any(within), (tag.text, lens)
+    for mark in standing(sketch, lens=True):
+        assert mark.role not in ("value", "tag")
+        if mark.role not in FRAME and not isinstance(mark.shape, Disc):
+            spots = ink(mark.shape)
+            off = min(np.abs(spots - lens.at).max() - lens.radius for lens in sketch.lenses)
+            assert off < BAND - ROLES[mark.role].width / 2 + 1e-3, mark
+
+
+def test_what_cannot_be_told_apart_is_enlarged(quick_return: Plan):
+    assert not quick_return.sketches["position"].lenses
+    assert not quick_return.sketches["velocity"].lenses
+    sketch = quick_return.sketches["acceleration"]
+    check(sketch)
+    near, far = sorted(sketch.lenses, key=lambda lens: lens.factor)
+    assert (near.factor, far.factor) == (4, 20)
+    assert letters_in(sketch, near) == {"e′", "a′, d′"}
+    assert letters_in(sketch, far) == {"eₙ", "c′"}
+    outside = {
+        tag.text
+        for tag in sketch.tags
+        if tag.span[1] == FOREVER
+        if all(abs(tag.box.centre - lens.at) > lens.radius for lens in sketch.lenses)
+    }
+    assert outside >= {"b′", "q′", "qₙ", "z"}
+    assert not outside & {"e′", "a′, d′", "eₙ", "c′"}
+
+
+def test_a_lens_shows_vectors_in_their_usual_width_at_its_scale(quick_return: Plan):
+    sketch = quick_return.sketches["acceleration"]
+    near = min(sketch.lenses, key=lambda lens: lens.factor)
+    spots = {letter: vertex.at for vertex in sketch.vertices for letter in vertex.letters}
+    length = near.factor * abs(spots["e′"] - spots["a′"])
+    dots = [
+        m.shape.centre
+        for m in standing(sketch, lens=True)
+        if m.role == "dot" and isinstance(m.shape, Disc) and abs(m.shape.centre - near.at) < 0.05
+    ]
+    assert max(abs(a - b) for a in dots for b in dots) == pytest.approx(length)
+    assert {m.width for m in standing(sketch, lens=True) if m.role == "vector"} == {1.0}
+
+
+def test_a_lens_comes_with_the_last_stroke_that_it_tells_apart(quick_return: Plan):
+    sketch = quick_return.sketches["acceleration"]
+    setting = sketch.setting
+    for close, lens in zip(sketch.close, sketch.lenses, strict=True):
+        vertices = [sketch.vertices[number] for number in close.members[:2]]
+        since = max(setting.after(vertex.since) for vertex in vertices)
+        shown = [
+            item
+            for item in quick_return.items
+            if item.level is Level.LENS
+            and item.region == "acceleration"
+            and any(abs(ink(m.shape) - lens.at).min() < lens.radius for m in item.marks)
+        ]
+        assert min(item.since for item in shown) == since
+        assert not any(item.grows for item in shown)
+        for vertex in vertices:  # until then its letters stand beside its dot
+            for letter in vertex.letters:
+                spans = [tag.span for tag in sketch.tags if letter in tag.text.split(", ")]
+                assert max(end for _, end in spans) == FOREVER
+                assert min(start for start, _ in spans) <= setting.after(vertex.letters[letter])
+
+
+def test_a_problem_gives_nothing_away():
+    sheet = vad.draw(vad.solve(vad.Whitworth(rod=300), angle=120))
+    key = planned(sheet)
+    board = problem(key, blank_panels(sheet, "acceleration"), 0.058)
+    assert any(item.level is Level.LENS for item in key.items)
+    assert not any(item.level is Level.LENS for item in board.items)
+    letters = [
+        plain(mark.shape.runs)
+        for item in board.items
+        for mark in item.marks
+        if item.region == "acceleration" and mark.role == "letter"
+        if isinstance(mark.shape, Lettering)
+    ]
+    assert letters == ["a′, d′"]
+
+
+@pytest.mark.parametrize("name", ["four-bar", "slider-crank", "crank-slotted-lever", "whitworth"])
+def test_a_page_without_such_a_place_has_no_lens(name: str):
+    sheet = vad.draw(vad.solve(vad.MECHANISMS[name](), angle=40))
+    assert not any(sketch.lenses for sketch in planned(sheet).sketches.values())
+
+
+@pytest.mark.exhaustive(16)
+@pytest.mark.parametrize("step", range(12))
+@pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
+def test_lenses_of_all_mechanisms(name: str, step: int):
+    mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))(**RAMS.get(name, {}))
+    for sheet in turn(mechanism, steps=12, some=[step]):
+        size = (1024, 768) if step % 3 == 2 else (1280, 720)
+        for sketch in planned(sheet, size).sketches.values():
+            if sketch.lenses:
+                check(sketch)
+        assert overlaps(sheet, size) == []
+
+
+@pytest.mark.parametrize("degrees", [0, 30, 110, 200])
+def test_what_is_cut_ends_at_the_rim(degrees: int):
+    lens = Lens(0j, 0.02, 4.0, 1 + 1j, 0.1)
+    way = cmath.rect(1.0, math.radians(degrees))
+    chord = lens.cut(Polyline(((lens.at - way, lens.at + way),)))
+    assert isinstance(chord, Polyline)
+    assert chord.length == pytest.approx(2 * (0.1 + BAND / 2))
+    assert lens.cut(Polyline(((lens.at + 0.2j * way - way, lens.at + 0.2j * way + way),))) is None
+    square = [lens.at + corner * way for corner in (1 + 1j, -1 + 1j, -1 - 1j, 1 - 1j)]
+    area = lens.cut(Polygon((tuple(square),)))
+    assert isinstance(area, Polygon)
+    ring = np.array(area.rings[0]) - lens.at
+    found = abs((ring.conj() * np.roll(ring, -1)).imag.sum()) / 2
+    assert found == pytest.approx(math.pi * (0.1 + BAND / 2) ** 2, rel=2e-3)
+    assert lens(0.01 * way) == pytest.approx(lens.at + 0.04 * way)
