@@ -14,8 +14,9 @@ from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Item
 from vad.plan.lettering.runs import plain
-from vad.plan.marks import Bow, Lettering
+from vad.plan.marks import Bow, Lettering, Polygon
 from vad.plan.pictures.senses import found_senses
+from vad.plan.pictures.senses_in_views import senses_in_views
 from vad.plan.problem_sheet import blank_panels, problem
 from vad.strokes.reveals import measurer
 
@@ -108,3 +109,48 @@ def test_an_arrow_comes_with_the_stroke_that_finds_it_and_not_on_a_problem():
 def test_nothing_turns_where_the_driver_rests():
     board = drawn(vad.FourBar(), omega=0.0)
     assert list(found_senses(board.sketches)) == []
+
+
+# --- in space -------------------------------------------------------------------------------------
+
+
+def in_space(board: Plan) -> dict[str, tuple[float | complex, Item]]:
+    """Return the sense of every found rate: a sweep, or the way of an arrow along an axis."""
+    found: dict[str, tuple[float | complex, Item]] = {}
+    sense: float | complex = 0.0
+    for item in senses_in_views(board.sketches):
+        shapes = [mark.shape for mark in item.marks]
+        bows = [shape for shape in shapes if isinstance(shape, Bow)]
+        heads = [shape.rings[0] for shape in shapes if isinstance(shape, Polygon)]
+        if bows:
+            sense = bows[0].sweep
+        elif heads:
+            assert len(heads) == 2
+            sense = heads[0][0] - heads[1][0]
+        [text] = [shape for shape in shapes if isinstance(shape, Lettering)]
+        found[plain(text.runs).removeprefix(", ")] = sense, item
+    return found
+
+
+@pytest.mark.parametrize(("omega", "alpha"), [(10.0, 20.0), (-6.0, 15.0)])
+@pytest.mark.parametrize("name", ["hooke-joint", "rssr", "spherical-four-bar", "spatial-four-bar"])
+def test_rates_in_space_turn_about_their_axes_in_their_sense(name, omega, alpha):
+    board = drawn(vad.MECHANISMS[name](), angle=60.0, omega=omega, alpha=alpha)
+    found = in_space(board)
+    assert "ω₄" in found
+    cells = {c.symbol: c.value for row in board.sheet.rows for p in row.cells.values() for c in p}
+    position = board.sketches["position"]
+    for symbol, (sense, item) in found.items():
+        if isinstance(sense, complex):  # along d, which the guide runs along from its first end on
+            points = position.setting.panel.strokes[position.setting.panel.number("d.axis")].shape
+            along = points.points[-1] - points.points[0]
+            assert (sense / along).real * cells[symbol] > 0.0, symbol
+        else:
+            assert sense * cells[symbol] > 0.0, symbol
+        assert item.region == "position"
+        assert item.stroke.partition(":")[0] in ("", "velocity", "acceleration")
+    boxes = [tag.box for tag in position.tags]
+    for _, item in found.values():
+        for mark in item.marks:
+            if isinstance(mark.shape, Bow):
+                assert not any(box.holds(point) for box in boxes for point in mark.shape.line())

@@ -46,6 +46,7 @@ from vad.plan.pictures import sketched
 from vad.plan.pictures.flights import travelling, turned_polygons
 from vad.plan.pictures.found import found_later
 from vad.plan.pictures.senses import found_senses
+from vad.plan.pictures.senses_in_views import senses_in_views
 from vad.plan.pictures.views import folds
 from vad.plan.reach import corners
 from vad.plan.scale import Scale, is_tall
@@ -208,6 +209,7 @@ def pictures(sketches: Mapping[str, Sketch], page: Rect | None = None) -> Iterat
     drawn = found_later((item for each in sketches.values() for item in each.items), sketches)
     yield from travelling(drawn, sketches, page) if page else drawn
     yield from found_senses(sketches)
+    yield from senses_in_views(sketches)
     yield from lights(sketches)
     yield from folds(sketches)
     yield from turned_polygons(sketches, flights=page is not None)

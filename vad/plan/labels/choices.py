@@ -26,6 +26,7 @@ from vad.plan.labels.vertices import (
     Vertex,
     add_tag,
     label_vertices,
+    leader_of,
     text_beside,
     wish,
 )
@@ -36,8 +37,14 @@ from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Stroke
 
 VALUE = 0.033
-SHARES = (0.45, 0.55, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85, 0.05, 0.95)  # of an arc, for its value
+#: Of an arc, for its value.
+SHARES = (
+    *(0.45, 0.55, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85, 0.05, 0.95),
+    *(0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9),
+)
 VALUE_GAPS = (0.011, 0.016, 0.022, 0.032, 0.045)
+#: Of a value beside its arc: its size, and whether it is outside of it.
+ANGLE_CHOICES = ((VALUE, True), (VALUE, False), (VALUE * SMALLER, True), (VALUE * SMALLER, False))
 #: While the driver is turned by hand, a value may be farther off than a letter, because its arc and
 #: an arrow take the near places.
 VALUE_NEAR = (0.014, 0.020, 0.028, 0.036, 0.050, 0.070, 0.090)
@@ -74,16 +81,16 @@ class PlacedLabels:
     def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
         """Add a value; see `LabelChoice`."""
         stroke = sketch.setting.panel.strokes[index]
-        runs, size = roman(stroke.label), VALUE
-        placed = _beside_arc(arc, *ink_size(runs, size), sketch.obstacles)
-        if placed.forced:
-            size *= SMALLER
-            placed = _beside_arc(arc, *ink_size(runs, size), sketch.obstacles)
+        runs = roman(stroke.label)
+        placed, size = _beside_arc(arc, runs, sketch.obstacles)
         sketch.obstacles.box(placed.box)
         sketch.tags.append(Tag(stroke.label, placed.box))
         centre = Anchor.of(stroke.name, "centre")
-        value = text_beside(centre, arc.centre, runs, placed.centre, size, "value")
-        sketch.add(stroke, Level.LABEL, sketch.setting.after(index), [value])
+        marks = [text_beside(centre, arc.centre, runs, placed.centre, size, "value")]
+        if placed.leader:
+            marks.append(leader_of(centre, arc.centre, placed.leader))
+            sketch.obstacles.line(placed.leader, PIXEL)
+        sketch.add(stroke, Level.LABEL, sketch.setting.after(index), marks)
 
     def vector(self, sketch: Sketch, index: int, name: str) -> None:
         """Add a name; see `LabelChoice`."""
@@ -94,17 +101,29 @@ class PlacedLabels:
 PLACED = PlacedLabels()
 
 
-def _beside_arc(arc: Bow, wide: float, high: float, obstacles: Obstacles) -> Placed:
-    for gap in VALUE_GAPS:
-        centres = []
-        for share in SHARES:
-            way = cmath.exp(1j * math.radians(arc.start + share * arc.sweep))
-            centres.append(beside(arc.centre + arc.radius * way, way, gap, wide, high))
-        free = obstacles.free(centres, wide, high, CLEARANCE, APART)
-        if free.any():
-            return Placed(centres[int(free.argmax())], wide, high)
+def _beside_arc(arc: Bow, runs: Runs, obstacles: Obstacles) -> tuple[Placed, float]:
+    """Return the best place for the value of an angle, and its size.
+
+    It is outside of the arc, or else inside, and smaller if need be.
+    """
+    for size, outside in ANGLE_CHOICES:
+        wide, high = ink_size(runs, size)
+        for gap in VALUE_GAPS:
+            centres = []
+            for share in SHARES:
+                way = cmath.exp(1j * math.radians(arc.start + share * arc.sweep))
+                at = arc.centre + arc.radius * way
+                centres.append(beside(at, way if outside else -way, gap, wide, high))
+            free = obstacles.free(centres, wide, high, CLEARANCE, APART)
+            if free.any():
+                return Placed(centres[int(free.argmax())], wide, high), size
     way = cmath.exp(1j * math.radians(arc.start + 0.5 * arc.sweep))
-    return place(obstacles.copy(), Wish(arc.centre + arc.radius * way, way, wide, high))
+    for size in (VALUE, VALUE * SMALLER):
+        wish = Wish(arc.centre + arc.radius * way, way, *ink_size(runs, size))
+        placed = place(obstacles.copy(), wish)
+        if not placed.forced:
+            break
+    return placed, size
 
 
 def ends_of(stroke: Stroke) -> tuple[Anchor, Anchor]:

@@ -92,7 +92,7 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
         for row in sketch.setting.sheet.rows:
             others = [bar for key, own in bars.items() if key != row.key for bar in own]
             for sense in senses_of(sketches, row) if bars[row.key] else ():
-                yield from _arrow(sketch, taken, row, sense, others)
+                yield from arrow_near(sketch, taken, row, bars[row.key], sense, others)
 
 
 def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
@@ -146,25 +146,37 @@ def _bars(sketch: Sketch, row: Row) -> list[tuple[complex, complex]]:
     return [(start, end) for _, start, end in sorted(bars, key=lambda bar: bar[0])]
 
 
-def _arrow(
+def arrow_near(
     sketch: Sketch,
     taken: Obstacles,
     row: Row,
+    bars: Sequence[tuple[complex, complex]],
     sense: Sense,
-    others: Sequence[tuple[complex, complex]],
+    others: Sequence[tuple[complex, complex]] = (),
 ) -> Iterator[Item]:
-    """Yield an arrow, if there is a place for it, and the names that come to it."""
+    """Yield an arrow about an end of one of the bars of a row, and the names that come to it.
+
+    It is nearer to them than to the ``others``, if that can be.  There is none without a free
+    place; ``taken`` are the places that are not.
+    """
     panel, number = sketch.setting.panel, sketch.setting.row(row.key)
-    place = _place(taken, _bars(sketch, row), others, sense)
+    place = _place(taken, bars, others, sense)
     if place is None:
         return
-    runs = symbols(sense.text)
-    wide, high = ink_size(runs, LETTER)
+    wide, high = ink_size(symbols(sense.text), LETTER)
     taken.box(Placed(place.name, wide, high).box)
     taken.line(place.line, 2.0 * PIXEL)
     sweep = place.span * sense.sign
     arrow = sense_arrow(place.centre, place.radius, place.middle, sweep, number, size=0.8)
-    text = text_at(runs, runs, place.name, LETTER, "term", number).shape
+    yield from with_names(arrow, sense, place.name, panel.column, number)
+
+
+def with_names(
+    arrow: Sequence[Mark], sense: Sense, at: complex, region: str, number: int | None
+) -> Iterator[Item]:
+    """Yield an arrow and its names, which stand about ``at`` and come one after the other."""
+    runs = symbols(sense.text)
+    text = text_at(runs, runs, at, LETTER, "term", number).shape
     assert isinstance(text, Lettering)
     x = 0.0
     for count, (symbol, by, since) in enumerate(sense.names):
@@ -172,7 +184,7 @@ def _arrow(
         name = Mark(Lettering(said, text.at + x, LETTER), "term", number)
         x += width(said, LETTER)
         marks = (name,) if count else (*arrow, name)
-        yield Item(by, panel.column, Level.LABEL, marks, since, FOREVER)
+        yield Item(by, region, Level.LABEL, marks, since, FOREVER)
 
 
 def _place(

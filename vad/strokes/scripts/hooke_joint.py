@@ -28,7 +28,7 @@ LAID, ARCS = 1.35, (1.12, 1.25)
 #: From O: the back of a yoke, the middle of its bearing, the end of its shaft, that of its axis.
 BACK, BEARING, END, AXIS = 0.5, 0.85, 1.05, 1.25
 #: Radii of the arcs of θ₂, θ₄ and of the angle between the shafts; half of a fork in degrees.
-DRIVING, DRIVEN, SHAFTS, FORK = 1.15, 0.45, 1.15, 13.0
+DRIVING, DRIVEN, SHAFTS, FORK = 1.15, 0.40, 1.15, 13.0
 ROWS = {"12": "driving", "24": "cross", "14": "driven", "23": "cross", "43": "cross"}
 
 

@@ -1,0 +1,120 @@
+"""The senses of found rates on a mechanism in space: arc arrows about axes seen as points.
+
+One stands about the arc of the angle that is seen along the axis.  Where no view is along it, an
+arrow with two heads lies along it: by the rule of the right hand its fingers curl in the sense of
+the turn.  Each comes with the stroke of a polygon that finds it, and stays.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping
+
+from vad.kinematics.numbers import ray
+from vad.plan.items import Item
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
+from vad.plan.lettering.glyphs import ink_size
+from vad.plan.lettering.runs import symbols
+from vad.plan.marks import Mark, area, line
+from vad.plan.pictures.angles import SENSE_HEAD
+from vad.plan.pictures.senses import (
+    CLEAR,
+    LETTER,
+    NAMED,
+    Sense,
+    arrow_near,
+    senses_of,
+    with_names,
+)
+from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH
+from vad.plan.sketch import Sketch
+from vad.strokes.sheet import Arc, Arrow, Block, Row
+
+#: The angles that turn about an axis seen as a point, and sleeves on an axis, by their strokes.
+ANGLES = ("DC.angle", "Q.angle")
+SLEEVES = ("D.sleeve",)
+#: So long on the page is an arm, at least, about which there is room for an arc arrow.
+LEAST = 0.09
+#: Of an arrow along an axis: its length, and where its middle may be, aside from the axis and
+#: along it, the nearest first.
+LENGTH = 0.075
+PLACES = sorted(
+    itertools.product((0.040, 0.052, 0.066), [0.015 * step for step in range(-10, 11)]),
+    key=lambda place: place[0] + 0.6 * abs(place[1]),
+)
+
+
+def senses_in_views(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+    """Yield the arrows of all rates of bodies that are not given, and of the given α."""
+    for sketch in sketches.values():
+        if sketch.setting.panel.picture != "views":
+            continue
+        taken = Obstacles(
+            sketch.obstacles.edge, [*sketch.obstacles.lines], [*sketch.obstacles.boxes]
+        )
+        for row in sketch.setting.sheet.rows:
+            for sense in senses_of(sketches, row):
+                yield from _about(sketch, taken, row, sense)
+                yield from _along(sketch, taken, row, sense)
+
+
+def _about(sketch: Sketch, taken: Obstacles, row: Row, sense: Sense) -> Iterator[Item]:
+    """Yield an arc arrow about an axis that is seen as a point, if there is room for it."""
+    panel = sketch.setting.panel
+    names = (*ANGLES, sketch.setting.sheet.driver.angle)
+    for stroke in panel.strokes:
+        shape = stroke.shape
+        if stroke.name in names and stroke.link == row.key and isinstance(shape, Arc):
+            yield from arrow_near(sketch, taken, row, [_arm(sketch, row, shape)], sense)
+
+
+def _arm(sketch: Sketch, row: Row, arc: Arc) -> tuple[complex, complex]:
+    """Return the bar on the page that an arc turns, or one that is as long as its radius."""
+    panel, place = sketch.setting.panel, sketch.scale
+    for stroke in panel.strokes:
+        bar = stroke.shape
+        if stroke.link == row.key and isinstance(bar, Arrow) and bar.start == arc.centre:
+            return place(bar.start), place(bar.end)
+    reach = max(arc.radius, LEAST / place.factor)
+    return place(arc.centre), place(arc.centre + reach * ray(arc.start + arc.sweep))
+
+
+def _along(sketch: Sketch, taken: Obstacles, row: Row, sense: Sense) -> Iterator[Item]:
+    """Yield an arrow with two heads along an axis, if there is room for it."""
+    panel = sketch.setting.panel
+    if not any(stroke.link == row.key and stroke.name == "DC.rocker" for stroke in panel.strokes):
+        return
+    wide, high = ink_size(symbols(sense.text), LETTER)
+    for shape in (stroke.shape for stroke in panel.strokes if stroke.name in SLEEVES):
+        assert isinstance(shape, Block)
+        way = sense.sign * shape.direction
+        for (aside, past), left in itertools.product(PLACES, (1j, -1j)):
+            at = sketch.scale(shape.at) + past * way + aside * left * way
+            start, end = at - LENGTH / 2 * way, at + LENGTH / 2 * way
+            spots = [start + (end - start) * step / 8 for step in range(9)]
+            name = beside(at, left * way, NAMED + CLEARANCE, wide, high)
+            if not all(taken.edge.holds(spot, -0.006) for spot in spots):
+                continue
+            if not taken.free(spots, 0.0, 0.0, CLEAR).all():
+                continue
+            if not taken.clear_of_labels([(start, end)], CLEAR).all():
+                continue
+            if taken.free([name], wide, high, CLEARANCE, APART)[0]:
+                number = sketch.setting.row(row.key)
+                taken.box(Placed(name, wide, high).box)
+                taken.line([start, end], 2.0 * PIXEL)
+                arrow = two_heads(start, end, number)
+                yield from with_names(arrow, sense, name, panel.column, number)
+                return
+
+
+def two_heads(start: complex, end: complex, row: int | None) -> list[Mark]:
+    """Return an arrow with two heads at its end: the vector of a rotation."""
+    way, head = (end - start) / abs(end - start), 0.8 * SENSE_HEAD
+    marks = [line((start, end - 0.8 * head * way), "sense", row)]
+    for tip in (end, end - 0.75 * head * way):
+        root, half = tip - head * way, HEAD_HALF_WIDTH * 1j * head * way
+        corners = [tip, root + half, root + HEAD_NOTCH * head * way, root - half]
+        marks.append(area(corners, "head", row))
+    return marks
