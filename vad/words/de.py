@@ -326,7 +326,7 @@ PHRASES = {
     # Pläne von Körpern
     "bodies remark": "1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, ins Blatt umgeklappt",
     "bodies pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
-    "bodies pole acceleration": "Der Pol: das Gestell, 1′, hat keine Winkelbeschleunigung.",
+    "bodies pole acceleration": "Der Pol: das Gestell, 1′.",
     "bodies given": "{label} = {symbol} = {value} {unit}, längs {axis}.",
     "bodies turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} dreht sich "
@@ -737,7 +737,7 @@ PHRASES = {
     ),
     # die unteren Polygone
     "spatial pole velocity": (
-        "Darunter *A* als Punkt der Schwinge; die festen Punkte *A* und *D* liegen im Pol."
+        "Darunter *A* als Punkt der Schwinge; *A* und *D* des Gestells liegen im Pol."
     ),
     "spatial pole acceleration": "Darunter wieder *A* als Punkt der Schwinge.",
     "spatial about I velocity": (
@@ -750,7 +750,7 @@ PHRASES = {
     ),
     "spatial about D": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* dreht sich "
-        "auch um *D*."
+        "um *D*."
     ),
     "spatial along I": "∥ *OI* durch {point}",
     "spatial along D": "∥ *OD* durch {point}, denn *A* gleitet längs beider Achsen",
@@ -780,8 +780,8 @@ PHRASES = {
         "Rechts eine Ansicht senkrecht zu *BC* und zur Bahn von *C*: beide haben die wahre Länge."
     ),
     "balls lines": (
-        "Die Ebene durch *B* senkrecht zu *BC* erscheint dort als Gerade; die Geschwindigkeit "
-        "von *C* liegt längs seiner Bahn."
+        "Die Ebene durch *B* senkrecht zu *BC* erscheint dort als Gerade; *C* bewegt sich "
+        "längs seiner Bahn."
     ),
     "balls along D": "längs *D* gesehen",
     "balls along A": "längs *A* gesehen",
@@ -790,25 +790,21 @@ PHRASES = {
     "balls path": "Bahn von *C*",
     "balls remark": "gesehen wie *BC* rechts im Lageplan; die Koppel dreht sich nicht um *BC*",
     "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; die Ansicht "
-        "zeigt {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; hier {seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; die Ansicht "
-        "zeigt {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; hier {seen} {unit}."
     ),
     "balls normal": (
         "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}; "
-        "die Ansicht zeigt {seen} {unit}."
+        "hier {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}, von *C* nach *B*: das Quadrat der relativen "
-        "Geschwindigkeit durch *BC*."
+        "{label} = {speed}/{size} = {seen} {unit}, von *C* nach *B*: "
+        "Relativgeschwindigkeit zum Quadrat durch *BC*."
     ),
     "balls line BC velocity": "⟂ *BC* durch {point}, denn *BC* behält seine Länge",
-    "balls line DC velocity": (
-        "∥ Bahn von *C* durch {point}, denn *C* bewegt sich längs seiner Bahn"
-    ),
+    "balls line DC velocity": "∥ Bahn von *C* durch {point}, denn auf ihr läuft *C*",
     "balls line BC acceleration": "⟂ *BC* durch {point}, für den Anteil von *α₃*",
     "balls line DC acceleration": "∥ Bahn von *C* durch {point}, für den von {symbol}",
     "balls coupler velocity": (
@@ -823,7 +819,7 @@ PHRASES = {
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} in dieser Ansicht.",
+    "balls whole": "{label} = {value} {unit} hier.",
     # Bilder und Tabellen von Läufen, und Kennwerte
     "angle of the driver": "Winkel {link:des}",
     "position of the driver": "Lage {link:des}",

@@ -329,7 +329,7 @@ PHRASES = {
         "1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into the paper"
     ),
     "bodies pole velocity": "The pole: the frame, 1, does not turn.",
-    "bodies pole acceleration": "The pole: the frame, 1′, has no angular acceleration.",
+    "bodies pole acceleration": "The pole: the frame, 1′.",
     "bodies given": "{label} = {symbol} = {value} {unit}, along {axis}.",
     "bodies turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} turns with "
@@ -756,8 +756,7 @@ PHRASES = {
         "On the right a view square to *BC* and to the path of *C*: both have their true length."
     ),
     "balls lines": (
-        "The plane through *B* square to *BC* is seen as a line there; the velocity of *C* lies "
-        "along its path."
+        "The plane through *B* square to *BC* is seen as a line there; *C* moves along its path."
     ),
     "balls along D": "seen along *D*",
     "balls along A": "seen along *A*",
@@ -766,20 +765,18 @@ PHRASES = {
     "balls path": "path of *C*",
     "balls remark": "seen as *BC* to the right of the views; the coupler does not spin about *BC*",
     "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; the view shows "
-        "{seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; here {seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; the view shows "
-        "{seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; here {seen} {unit}."
     ),
     "balls normal": (
         "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}; "
-        "the view shows {seen} {unit}."
+        "here {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}, from *C* to *B*: the square of the relative "
-        "velocity of *C* over *BC*."
+        "{label} = {speed}/{size} = {seen} {unit}, from *C* to *B*: the relative "
+        "velocity squared over *BC*."
     ),
     "balls line BC velocity": "⟂ *BC* through {point}, as *BC* keeps its length",
     "balls line DC velocity": "∥ the path of *C* through {point}, as *C* moves along it",
@@ -797,7 +794,7 @@ PHRASES = {
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} in this view.",
+    "balls whole": "{label} = {value} {unit} here.",
     # plots and tables of sweeps, and figures of merit
     "angle of the driver": "angle of the {link}",
     "position of the driver": "position of the {link}",

@@ -308,8 +308,7 @@ PHRASES = {
         "Vue suivant *OA*, la manivelle est à {angle}° de l’arc *AD*, dans le sens trigonométrique."
     ),
     "spherical crank": (
-        "*B* tourne autour de *OA* sur un cercle vu par la tranche : la manivelle est *AB* = "
-        "{size}°."
+        "*B* tourne autour de *OA* sur ce cercle, vu par la tranche : *AB* = {size}°."
     ),
     "spherical C": (
         "*C* est à l’intersection de deux cercles : autour de *B*, *BC* = {coupler}° ; autour de "
@@ -329,7 +328,7 @@ PHRASES = {
     # polygones de corps
     "bodies remark": "1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu",
     "bodies pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
-    "bodies pole acceleration": "Le pôle : le bâti, 1′, n’a pas d’accélération angulaire.",
+    "bodies pole acceleration": "Le pôle : le bâti, 1′.",
     "bodies given": "{label} = {symbol} = {value} {unit}, suivant {axis}.",
     "bodies turned frame": (
         "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
@@ -736,7 +735,7 @@ PHRASES = {
     ),
     # les polygones du bas
     "spatial pole velocity": (
-        "Dessous, *A* comme point du balancier ; les points fixes *A* et *D* sont au pôle."
+        "Dessous, *A* comme point du balancier ; *A* et *D* du bâti sont au pôle."
     ),
     "spatial pole acceleration": "Dessous, encore *A* comme point du balancier.",
     "spatial about I velocity": (
@@ -748,7 +747,7 @@ PHRASES = {
         "aussi se déplace."
     ),
     "spatial about D": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : *A* tourne aussi "
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : *A* tourne "
         "autour de *D*."
     ),
     "spatial along I": "∥ *OI* par {point}",
@@ -779,8 +778,8 @@ PHRASES = {
         "vraie grandeur."
     ),
     "balls lines": (
-        "Le plan par *B*, perpendiculaire à *BC*, y est vu comme une droite ; la vitesse de *C* "
-        "est suivant sa trajectoire."
+        "Le plan par *B*, perpendiculaire à *BC*, y est vu comme une droite ; *C* suit sa "
+        "trajectoire."
     ),
     "balls along D": "vu suivant *D*",
     "balls along A": "vu suivant *A*",
@@ -789,25 +788,23 @@ PHRASES = {
     "balls path": "trajectoire de *C*",
     "balls remark": "vu comme *BC* à droite des vues ; la bielle ne tourne pas autour de *BC*",
     "balls tangential velocity": (
-        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; la vue montre "
-        "{seen} {unit}."
+        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; ici {seen} "
+        "{unit}."
     ),
     "balls tangential acceleration": (
-        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; la vue montre "
-        "{seen} {unit}."
+        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; ici {seen} "
+        "{unit}."
     ),
     "balls normal": (
         "{label} : {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail} ; "
-        "la vue montre {seen} {unit}."
+        "ici {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}, de *C* vers *B* : le carré de la vitesse "
-        "relative divisé par *BC*."
+        "{label} = {speed}/{size} = {seen} {unit}, de *C* vers *B* : la vitesse "
+        "relative au carré sur *BC*."
     ),
     "balls line BC velocity": "⟂ *BC* par {point}, car *BC* garde sa longueur",
-    "balls line DC velocity": (
-        "∥ la trajectoire de *C* par {point}, car *C* se déplace suivant elle"
-    ),
+    "balls line DC velocity": ("∥ la trajectoire de *C* par {point}, car *C* la suit"),
     "balls line BC acceleration": "⟂ *BC* par {point}, pour la part de *α₃*",
     "balls line DC acceleration": "∥ la trajectoire de *C* par {point}, pour celle de {symbol}",
     "balls coupler velocity": (
@@ -822,7 +819,7 @@ PHRASES = {
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} dans cette vue.",
+    "balls whole": "{label} = {value} {unit} ici.",
     # images et tableaux de balayages, et caractéristiques
     "angle of the driver": "angle {link:du}",
     "position of the driver": "position {link:du}",
