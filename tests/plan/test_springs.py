@@ -63,8 +63,9 @@ def test_labels_lie_on_no_stroke_and_glide(case: str):
             upon = any(_meet(b, other) for n, b in enumerate(boxes) for other in boxes[:n])
             met += on_stroke or upon
             for label in panel.names:
-                offsets = [label.spring.at(phase)[0] for phase in phases]
-                assert abs(offsets[1] - offsets[0]) <= MOST, (label.text, frame)
+                before, after = (label.spring.at(phase) for phase in phases)
+                if before is not None and after is not None:
+                    assert abs(after - before) <= MOST, (label.text, frame)
     assert met <= 0.01 * frames
     assert inked >= 0.7 * labels  # what goes comes back
 

@@ -1,10 +1,12 @@
 """Labels of a turn: each keeps to its side of its dot, and glides away from strokes.
 
 From the dots and strokes of evenly spaced poses follows where each label stands about its dot all
-through a turn.  A label never moves faster than the eye can follow.  Of all such closed motions,
-the one with the least cost is found by dynamic programming over direction and distance, and then
-smoothed.  If a stroke sweeps past and no motion avoids it, the label fades until the stroke has
-passed.  Sums over the cells that strokes occupy tell how crowded a place is in each pose (`Crowd`).
+through a turn.  A label never moves faster than the eye can follow.  It may also hop to another
+place at its dot: it is absent for a moment, and then shows there.  Of all such closed motions, the
+one with the least cost is found by dynamic programming over direction and distance, and then
+smoothed between the hops.  If a stroke sweeps past and no motion avoids it, the label is absent
+until the stroke has passed.  Sums over the cells that strokes occupy tell how crowded a place is in
+each pose (`Crowd`).
 """
 
 from __future__ import annotations
@@ -35,11 +37,13 @@ FASTEST = 11.0 * PIXEL
 _CROSSED, _OUTSIDE, _COVERED, _MISREAD, _CLOSE, _ON_WAY = 30.0, 60.0, 40.0, 8.0, 2.0, 0.4
 _PER_CELL = 0.15
 _FAR = np.array([0.0, 0.1, 0.4, 1.0, 2.0, 3.5])
-_STIFF = 0.5  # … and for moving on as fast as it may.
+_STIFF = 0.5  # … for moving on as fast as it may …
+_HOP = 45.0  # … and for a hop.
 _APART = (0.020, 0.006)  # between labels, aside and above
 _NEARER = 1.3  # by this factor a label is nearer to its own dot than to any other
 _MET = 2.0 * PIXEL  # so near to a stroke a label is not visible any more
-_FADE = 3  # poses in which it fades
+_CLEAR = 1  # poses before and after that, in which it is absent, too
+_BRIEF = 8  # for so few poses between two absences a label does not come back
 _LAPS = 3  # the middle one is free of its beginning and of its end
 _MOVES = [(turn, step) for turn in range(-3, 4) for step in (-1, 0, 1)]
 _SMOOTHING = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
@@ -74,19 +78,24 @@ class Ballast:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Spring:
-    """Where a label's centre stands from its dot, and how much ink it has; shape (poses,)."""
+    """Where a label's centre stands from its dot, and in which poses it shows; shape (poses,).
+
+    ``hops`` tells in which poses it stands at another place than in the pose before.
+    """
 
     offsets: Complexes
-    ink: Reals
+    shown: Bools
+    hops: Bools
 
-    def at(self, phase: float) -> tuple[complex, float]:
-        """Return the offset at a phase, 0 to 1, and the share of ink."""
+    def at(self, phase: float) -> complex | None:
+        """Return the offset at a phase, 0 to 1; None while the label is absent."""
         count = len(self.offsets)
         place = phase % 1.0 * count
         first, share = int(place) % count, place % 1.0
         last = (first + 1) % count
-        offset = (1 - share) * self.offsets[first] + share * self.offsets[last]
-        return complex(offset), float((1 - share) * self.ink[first] + share * self.ink[last])
+        if not self.shown[first] or (share and (self.hops[last] or not self.shown[last])):
+            return None
+        return complex((1 - share) * self.offsets[first] + share * self.offsets[last])
 
 
 Boxes = list[tuple[Complexes, tuple[float, float]]]
@@ -119,13 +128,14 @@ def find_spring(
     costs = _costs(np.where(seen, dots, among.edge.centre), table, size, rivals, among, placed)
     costs[~seen] = 0.0
     path = _cheapest(costs, *_moves(table))
-    offsets = _smooth(table[path])
+    hops: Bools = np.abs(table[path] - table[np.roll(path, 1)]) > FASTEST
+    offsets = _smooth(table[path], hops)
     centres = np.where(seen, dots, among.edge.centre) + offsets
     met = among.strokes.count(centres[:, None], size, _MET)[:, 0] > 0
     met |= _covered(centres[:, None], size, placed, (0.0, 0.0))[:, 0]
-    ink = _ink(met & seen)
-    placed.append((np.where(seen & (ink > 0.0), centres, np.nan), size))
-    return Spring(offsets, ink)
+    shown = _shown(met & seen)
+    placed.append((np.where(seen & shown, centres, np.nan), size))
+    return Spring(offsets, shown, hops)
 
 
 def _table(size: tuple[float, float], radius: float) -> Complexes:
@@ -149,7 +159,7 @@ def _costs(
     inside = (x - half[0] >= edge.left) & (x + half[0] <= edge.right)
     inside &= (y - half[1] >= edge.bottom) & (y + half[1] <= edge.top)
     cost: Reals = np.where(inside, 0.0, _OUTSIDE) + np.tile(_FAR, DIRECTIONS)
-    crossed = among.strokes.count(centres, size, 0.5 * PIXEL)
+    crossed = among.strokes.count(centres, size, _MET)
     cost += np.where(crossed > 0, _CROSSED + _PER_CELL * crossed, 0.0)
     cost += np.where(among.strokes.count(centres, size, CLEARANCE) > 0, _CLOSE, 0.0)
     cost += np.where(among.ways.count(centres, size, 0.0) > 0, _ON_WAY, 0.0)
@@ -173,14 +183,19 @@ def _covered(
     return found
 
 
-def _ink(met: Bools) -> Reals:
-    """Return the ink of a label that fades out before each pose in which a stroke meets it."""
-    away = np.full(len(met), np.inf)
-    for distance in range(_FADE + 2):
-        near = np.roll(met, distance) | np.roll(met, -distance)
-        away = np.minimum(away, np.where(near, float(distance), np.inf))
-    ink: Reals = np.clip((away - 1.0) / _FADE, 0.0, 1.0)
-    return ink
+def _shown(met: Bools) -> Bools:
+    """Tell in which poses a label shows that is absent where a stroke meets it."""
+    shown: Bools = np.ones(len(met), dtype=np.bool_)
+    for shift in range(-_CLEAR, _CLEAR + 1):
+        shown &= ~np.roll(met, shift)
+    if shown.all() or not shown.any():
+        return shown
+    first = int(shown.argmin())  # an absence, from which the runs are counted
+    turned = np.roll(shown, -first)
+    edges = np.flatnonzero(np.diff(np.append(turned, False).astype(np.int8)))
+    for begin, end in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        turned[begin + 1 : end + 1] = end - begin > _BRIEF
+    return np.roll(turned, first)
 
 
 def _distance(away: Complexes, half: tuple[float, float]) -> Reals:
@@ -214,8 +229,10 @@ def _cheapest(costs: Reals, sources: Ints, prices: Reals) -> Ints:
     for number in range(1, _LAPS * count):
         table = best[sources] + prices
         choice = table.argmin(axis=0)
-        came.append(sources[choice, columns])
-        best = table[choice, columns] + costs[number % count]
+        source, price, least = sources[choice, columns], table[choice, columns], best.argmin()
+        hopped = price > best[least] + _HOP
+        came.append(np.where(hopped, least, source))
+        best = np.where(hopped, best[least] + _HOP, price) + costs[number % count]
     path = [int(best.argmin())]
     for source in reversed(came):
         path.append(int(source[path[-1]]))
@@ -223,13 +240,18 @@ def _cheapest(costs: Reals, sources: Ints, prices: Reals) -> Ints:
     return np.array(path[count : 2 * count])
 
 
-def _smooth(values: Complexes) -> Complexes:
-    """Return a closed row of values, each averaged with its neighbours."""
-    reach = len(_SMOOTHING) // 2
-    smoothed = np.zeros_like(values)
+def _smooth(values: Complexes, hops: Bools) -> Complexes:
+    """Return a closed row of values, each averaged with its neighbours as far as the next hop."""
+    count, reach = len(values), len(_SMOOTHING) // 2
+    smoothed, weights = np.zeros_like(values), np.zeros(count)
     for shift, weight in zip(range(-reach, reach + 1), _SMOOTHING, strict=True):
-        smoothed += weight * np.roll(values, shift)
-    return smoothed
+        parted = np.zeros(count, dtype=np.bool_)
+        for step in range(abs(shift)):
+            parted |= np.roll(hops, step if shift > 0 else -1 - step)
+        share = np.where(parted, 0.0, weight)
+        smoothed += share * np.roll(values, shift)
+        weights += share
+    return smoothed / weights
 
 
 class Crowd:
