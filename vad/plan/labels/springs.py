@@ -255,7 +255,7 @@ def _smooth(values: Complexes, hops: Bools) -> Complexes:
 
 
 class Crowd:
-    """The strokes of evenly spaced poses in cells of a panel."""
+    """The strokes and boxes of evenly spaced poses in cells of a panel."""
 
     def __init__(self, edge: Rect, poses: Sequence[Obstacles]) -> None:
         self._edge = edge
@@ -295,6 +295,20 @@ class Crowd:
         return rows, columns
 
 
+def _boxes(pose: Obstacles) -> list[tuple[complex, complex, float]]:
+    """Return the boxes of a pose as strokes: the ends of each, and half of its width."""
+    found = []
+    for box, _ in pose.boxes:
+        half = min(box.width, box.height) / 2
+        way = (
+            complex(box.width / 2 - half, 0)
+            if box.width > box.height
+            else 1j * (box.height / 2 - half)
+        )
+        found.append((box.centre - way, box.centre + way, half))
+    return found
+
+
 def _points(poses: Sequence[Obstacles], near: Rect) -> tuple[Ints, Complexes]:
     """Return points all over the strokes, and the pose that each belongs to.
 
@@ -303,7 +317,7 @@ def _points(poses: Sequence[Obstacles], near: Rect) -> tuple[Ints, Complexes]:
     strokes = [
         (number, *part, half)
         for number, pose in enumerate(poses)
-        for start, end, half, _ in pose.lines
+        for start, end, half in (*(line[:3] for line in pose.lines), *_boxes(pose))
         if (part := (start, end) if abs(end - start) <= _LONGEST else near.clipped(start, end))
     ]
     if not strokes:
