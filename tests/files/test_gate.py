@@ -132,7 +132,7 @@ def test_the_limits_of_lengths_hold_when_a_file_is_loaded(old, new, said):
 def test_points_that_nearly_coincide_are_one_place(size):
     text = example_path("leg-from-coordinates").read_text("utf-8")
     text = text.replace("C = [-38, -7.8]", "C = [0, 5]").replace("[-19.7, -42.6]", f"[{size}, 5]")
-    assert str(caught(text)) == "lesson.toml, line 14: link_c: C and F are at the same place"
+    assert str(caught(text)) == "lesson.toml, line 15: link_c: C and F are at the same place"
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ import pytest
 
 import vad
 from vad.cli.run import run
+from vad.files.examples import example_path
 from vad.plan.anchors import Beside
 from vad.plan.format import paper, screen
 from vad.plan.hodographs import TOLERANCE, thinned
@@ -14,6 +15,7 @@ from vad.plan.items import Item
 from vad.plan.layout import lay_out_turn
 from vad.plan.marks import Disc, Lettering, Mark, Polyline
 from vad.plan.turn_board import NumberedTurn, TurnBoard
+from vad.plan.turn_panel import FAINT
 from vad.strokes.diagram import Spot
 
 pytestmark = pytest.mark.exhaustive
@@ -129,6 +131,27 @@ def test_a_polygon_shows_whole_vectors_and_few_letters(board: TurnBoard):
         "velocity": {"a, d", "b", "q", "c", "e"},
         "acceleration": {"a′, d′", "b′", "q′", "c′", "e′", "2ωv"},
     }
+
+
+def test_of_a_leg_the_foot_alone_has_a_path_and_links_without_it_are_pale():
+    leg = TurnBoard(vad.turn(vad.load(example_path("jansen-leg"))()))
+    shown = leg.shown(40)
+    for name, panel in leg.panels.items():
+        assert len(marks(shown, "hodograph", name)) == 1, name
+        stands, way = points(marks(shown, "return way", name)), panel.hodographs
+        (spot,) = panel.ways
+        stance = leg.cycle.stance
+        assert stance is not None
+        assert stands[0] == pytest.approx(way.at(spot, 0.0))
+        assert stands[-1] == pytest.approx(way.at(spot, stance.part))
+    bars = {i.stroke: m.alpha for i in shown for m in i.marks if m.role == "bar"}
+    assert {name for name, alpha in bars.items() if alpha == 1.0} >= {"position:AB.bar"}
+    assert {alpha for name, alpha in bars.items() if "BD" in name or "BF" in name} == {FAINT}
+    written = texts(shown, "position")
+    assert written[-3:] == ["stance 168°", "swing 192°", "lift 22.46 mm"]
+    lowest = min(z.imag for z in points(marks(shown, "tail", "position")))
+    assert min(z.imag for z in points(marks(shown, "rail", "position"))) < lowest  # the ground
+    assert any(text.endswith("after touch-down") for text in texts(shown, "position curve"))
 
 
 def test_rare_peaks_leave_the_panel_and_the_curve_keeps_them():

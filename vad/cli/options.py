@@ -42,7 +42,7 @@ OWN = {
     *("panels", "style", "language", "size", "paper", "blank", "task", "at", "turn"),
     *("fps", "speed", "still", "loop", "plain", "subtitles", "steps", "port", "no_browser"),
     *("script", "pause", "title", "subtitle"),
-    *("load", "mass", "inertia", "gravity", "friction", "superpose", "centrode"),
+    *("load", "mass", "inertia", "gravity", "friction", "superpose", "centrode", "follow"),
     *("merit", "extremes", "pin", "over", "columns"),
 }
 #: The options that say what a mechanism has to bear: how each is written, and what it is.

@@ -143,6 +143,12 @@ _FILM = [
     click.Option(["--subtitles"], is_flag=True, help="write FILE.srt and FILE.vtt beside the film"),
 ]
 _LOADS = burden_options()
+_FOLLOW = click.Option(
+    ["--follow"],
+    metavar="POINT",
+    help="of --turn: the point whose path, velocity and acceleration are shown, or all  "
+    "[the output of the file, or the foot of a leg]",
+)
 _AT = click.Option(
     ["--at"],
     callback=places(),
@@ -181,6 +187,7 @@ def draw(
     _check_one_pose(options, turn or at is not None)
     if "centrode" in options and at is not None:
         raise UsageError("--centrode is for one pose or a turn", "leave out --at")
+    _check_followed(options, turn, output)
     script = script_in(options, turn or at is not None)
     burden = take_burden(mechanism, options)
     made = Turn if turn else Sheet if at is None else Multiples
@@ -220,6 +227,14 @@ def _check_one_pose(options: dict[str, Any], several: bool) -> None:
         raise UsageError("--superpose is for one pose", "leave out --turn and --at")
 
 
+def _check_followed(options: dict[str, Any], turn: bool, output: str) -> None:
+    """Refuse a point to be followed in one pose, and in pages, in which readers choose it."""
+    if "follow" in options and not turn:
+        raise UsageError("--follow is for a turn", "add --turn")
+    if "follow" in options and output.endswith(".html"):
+        raise UsageError(f"--follow is for films and pictures, not for '{output}'")
+
+
 def _pose(mechanism: Mechanism, inputs: Inputs, burden: Burden | None) -> Any:
     """Return one pose, or the forces in it if there is anything that makes some."""
     return with_forces(vad.solve(mechanism, **inputs), burden)
@@ -249,6 +264,7 @@ def animate(
 ) -> None:
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
     _check_one_pose(options, turn)
+    _check_followed(options, turn, output)
     script = script_in(options, turn)
     burden = take_burden(mechanism, options)
     if turn:
@@ -383,6 +399,7 @@ VERBS: tuple[click.Command, ...] = (
             pin_option(),
             _AT,
             _POSITIONS,
+            _FOLLOW,
             *_TITLES,
             SCRIPT,
             *burden_options(),
@@ -400,6 +417,7 @@ VERBS: tuple[click.Command, ...] = (
             _SIZE,
             pin_option(),
             *_FILM,
+            _FOLLOW,
             *_TITLES,
             SCRIPT,
             PAUSE,

@@ -367,6 +367,8 @@ class Description:
         Loads, masses, gravity and friction.
     names
         The title and names in other languages, by the codes of these.
+    output
+        The point that a turn follows; empty where the file names none.
     """
 
     title: str
@@ -381,6 +383,7 @@ class Description:
     pose: Mapping[str, Cartesian]
     burden: BurdenEntry
     names: Mapping[str, Mapping[str, str]]
+    output: str = ""
 
     @property
     def points(self) -> tuple[str, ...]:

@@ -103,6 +103,7 @@ def mechanism(
     unit: str = "mm",
     about: str = "",
     source: str = "",
+    output: str = "",
 ) -> type[WrittenMechanism]:
     """Return the mechanism that tables describe, which are those of a file.
 
@@ -116,6 +117,8 @@ def mechanism(
         The title and the names of links and slides in other languages, by their codes.
     title, unit, about, source
         The words of a file.
+    output
+        The point that a turn follows, as in a file.
 
     Raises
     ------
@@ -149,6 +152,8 @@ def mechanism(
     words: dict[str, Any] = {"title": title, "unit": unit, "about": about, "source": source}
     if gravity is not None:
         words["gravity"] = gravity
+    if output:
+        words["output"] = output
     tables = {name: table for name, table in given.items() if table is not None}
     return class_of(sorted_out(Source("", {"": words | tables})))
 
@@ -388,6 +393,7 @@ def _made(written: Written, assembly: Assembly) -> type[WrittenMechanism]:
         slides=slides | cylinders,
         inputs=description.driver.inputs,
         own_names=description.names,
+        output_point=description.output,
     )
     return made
 

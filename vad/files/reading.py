@@ -77,6 +77,7 @@ def describe(source: Source) -> Description:
         pose=pose,
         burden=burden,
         names=own_names(source, title, _named(numbers, links, bound)),
+        output=str(words.get("output", "")),
     )
     _check_points(source, description)
     return description
@@ -195,6 +196,9 @@ def _check_points(source: Source, description: Description) -> None:
     """Check that all tables agree about the points."""
     fixed, links = description.fixed, description.links
     used = {point for each in links.values() for point in each.points} | set(description.guides)
+    if description.output and description.output not in used:
+        wrong = unknown("point", description.output, sorted(used))
+        raise source.error("", "output", f"output: {wrong}", wrong.hint)
     for point in description.assembly:
         if point not in used:
             wrong = unknown("point", point, sorted(used))

@@ -29,7 +29,7 @@ from vad.statics.tables import LONGEST_TABLE, table_of
 from vad.units import number_of
 
 #: What may stand in a file: single words, and tables.
-WORDS = ("title", "unit", "about", "source")
+WORDS = ("title", "unit", "about", "source", "output")
 TABLES = (
     *("dimensions", "fixed", "links", "guides", "driver", "assembly", "pose"),
     *("loads", "masses", "friction", "exercise", "answers", "names"),

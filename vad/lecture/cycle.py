@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,7 @@ from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import BELOW
 
 if TYPE_CHECKING:
+    from vad.lecture.followed import Followed, Stance
     from vad.lecture.turn import Turn
     from vad.mechanisms.mechanism import Mechanism
     from vad.strokes.draw import AnyScene
@@ -166,12 +167,16 @@ _WHOLE = 359.0  # degrees: an angle with at least this range goes round
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Series:
-    """One quantity of a row over the cycle, an angle without jumps; NaN where there is none."""
+    """One quantity of a row over the cycle, an angle without jumps; NaN where there is none.
+
+    One of a point has a symbol that names it, and is not ``titled`` with the name of the row.
+    """
 
     row: str
     symbol: str
     unit: str
     values: Reals
+    titled: bool = True
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,6 +224,8 @@ class Cycle:
         The shares at which a quick return begins and ends, or None.  The second may be above 1.
     work
         What the drive gives, where a torque is drawn of a driver that goes round.
+    followed
+        The point whose curves they are, where one is followed.
     """
 
     shares: Reals
@@ -229,6 +236,17 @@ class Cycle:
     tracks: Mapping[str, Mapping[Spot, Complexes]]
     back: tuple[float, float] | None
     work: Work | None = None
+    followed: Followed | None = None
+
+    @property
+    def stance(self) -> Stance | None:
+        """When the point that is followed stands, if it is a foot; it does so from share 0 on."""
+        return self.followed.stance if self.followed else None
+
+    @property
+    def shaded(self) -> tuple[float, float] | None:
+        """The shares that are grey in the curves: of the return, or of the stance of a foot."""
+        return (0.0, self.stance.part) if self.stance else self.back
 
     @property
     def ratio(self) -> float:
@@ -246,6 +264,7 @@ def cycle_of(turn: Turn, later: float) -> Cycle:
     """
     course, panels = turn.course, turn.panels
     scene = whole_turn(turn)
+    point = turn.followed
     tracks = _tracks(scene, panels)
     stuck = ~np.isfinite(sum(sum(each.values()) for each in tracks.values()))
     if stuck.any():
@@ -255,8 +274,11 @@ def cycle_of(turn: Turn, later: float) -> Cycle:
     rate = _rate(motion, output)
     driver = scene.driver.name
     rolls = pair_of(motion, turn.centrode)[0] if turn.centrode else driver
+    if point:
+        tracks = {name: point.tracks(name, each) for name, each in tracks.items()}
     curves = {
-        name: _curve(scene, name, DIAGRAMS[name].curve_row(scene))
+        name: (_curve_of_point(scene, name, point) if point else None)
+        or _curve(scene, name, DIAGRAMS[name].curve_row(scene))
         or _curve(scene, name, rolls)
         or _curve(scene, name, driver)
         for name in panels
@@ -264,9 +286,19 @@ def cycle_of(turn: Turn, later: float) -> Cycle:
     place = _curve(scene, POSITION.panel, driver)
     assert place is not None
     back = _quick_return(np.broadcast_to(rate, _SHARES.shape)) if course.swing is None else None
+    back = None if point else back
     known = {name: curve for name, curve in curves.items() if curve}
     work = _work(turn, scene, known["drive"].values) if "drive" in known else None
-    return Cycle(_SHARES, driver, output, place, known, tracks, back, work)
+    return Cycle(_SHARES, driver, output, place, known, tracks, back, work, point)
+
+
+def _curve_of_point(scene: AnyScene, panel: str, point: Followed) -> Series | None:
+    """Return what a panel measures of the point that is followed; None if it measures nothing."""
+    found = point.curve(cast("Any", scene), panel)
+    if found is None:
+        return None
+    symbol, unit, values = found
+    return Series(point.row, symbol, unit, np.broadcast_to(values, _SHARES.shape), titled=False)
 
 
 def _rate(motion: Motion, output: str) -> Any:
@@ -278,7 +310,7 @@ def _rate(motion: Motion, output: str) -> Any:
 
 def whole_turn(turn: Turn, later: Any = 0.0) -> AnyScene:
     """Return the scene of all poses of a turn at once, each of them later by some phase."""
-    phases = turn.course.opening + _SHARES + later
+    phases = turn.opening + _SHARES + later
     inputs = [turn.course.inputs(phase) for phase in phases.tolist()]
     names = turn.course.names
     return turn.scene({name: np.array([each[name] for each in inputs]) for name in names})

@@ -18,6 +18,7 @@ from vad.strokes.sheet import Sheet
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
     from vad.lecture.cycle import Course, Cycle
+    from vad.lecture.followed import Followed
     from vad.mechanisms.mechanism import Mechanism
     from vad.statics.burden import Burden
     from vad.statics.forces import Forces
@@ -35,7 +36,8 @@ class Turn(Displayed):
     With a ``burden`` its sheets have forces, too, whose polygons keep their ``poles``; the arrows
     on the driven body are measured by the ``largest`` force on it.  With centres they have the
     centrodes of a body, which ``centrode`` names.  A title and a subtitle of one's own are
-    ``titles``.
+    ``titles``.  Its polygons show the vectors of the point
+    that is ``followed`` alone; if that is a foot, share 0 of its cycle is where it touches down.
     """
 
     mechanism: Mechanism
@@ -51,6 +53,7 @@ class Turn(Displayed):
     largest: float = 0.0
     centrode: str | None = None
     titles: Mapping[str, Any] = field(default_factory=dict)
+    followed: Followed | None = None
 
     def __repr__(self) -> str:
         """Return a line: what turns, and how long that takes."""
@@ -84,9 +87,15 @@ class Turn(Displayed):
 
         return cycle_of(self, _LATER)
 
+    @property
+    def opening(self) -> float:
+        """The phase of share 0: where the driver passes 0°, or a foot touches down."""
+        stance = self.followed.stance if self.followed else None
+        return (self.course.opening + (stance.touch_down if stance else 0.0)) % 1.0
+
     def share(self, frame: int) -> float:
-        """Return the share of the cycle at a frame: 0 where the driver passes 0°."""
-        return (frame / self.frames - self.course.opening) % 1.0
+        """Return the share of the cycle at a frame."""
+        return (frame / self.frames - self.opening) % 1.0
 
     def pose(self, frame: int) -> Sheet:
         """Return the sheet of one frame."""
@@ -131,6 +140,7 @@ class Turn(Displayed):
 
         sheet = sheet_of(self.scene(self.course.inputs(phase)), self.panels)
         sheet = replace(sheet, **self.titles)
+        sheet = self.followed.shown(sheet) if self.followed else sheet
         if self.course.swing is None:
             return sheet
         # The rates of a swinging driver are the given ones at one instant only.
@@ -158,6 +168,7 @@ def turn(
     centrode: str | None = None,
     title: str | None = None,
     subtitle: str | None = None,
+    follow: str | None = None,
 ) -> Turn:
     """Return the film in which a mechanism runs through a full turn of its crank.
 
@@ -187,6 +198,10 @@ def turn(
         or the connecting rod if None.
     title, subtitle
         As for `vad.draw`.
+    follow
+        The point whose path, velocity and acceleration are shown instead of those of all points;
+        "all" for all of them.  If it is None, the point that the mechanism's file names, or the
+        foot of a leg.
 
     Raises
     ------
@@ -205,6 +220,7 @@ def turn(
     (200, 8.0)
     """
     from vad.lecture.cycle import course, whole_turn
+    from vad.lecture.followed import followed
     from vad.lecture.poles import largest_on_driver, poles_of
     from vad.strokes.centrodes import centrode_of
     from vad.strokes.draw import chosen, started, turning
@@ -219,7 +235,7 @@ def turn(
     names = chosen(panels, motion, forces)
     rolls = centrode_of(motion, centrode, names)
     Language(language)
-    made = Turn(
+    bare = Turn(
         motion.mechanism,
         course(motion),
         max(2, round(SECONDS / speed * fps)),
@@ -232,6 +248,7 @@ def turn(
         centrode=rolls,
         titles=titles,
     )
+    made = replace(bare, followed=followed(bare, follow))
     found = whole_turn(made).forces if forces else None
     if not found:
         return made

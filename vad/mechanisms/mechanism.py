@@ -140,6 +140,8 @@ class Mechanism:
     inputs: ClassVar[Mapping[str, float]] = CRANK
     #: The title and names in other languages, by the codes of these, where a file has them.
     own_names: ClassVar[Mapping[str, Mapping[str, str]]] = {}
+    #: The point that a turn follows, where a file names one.
+    output_point: ClassVar[str] = ""
     #: Whether it is a shaft or an engine, which is balanced; the diagrams of such a one, those that
     #: are usual, and those that change over a turn.
     is_rotor: ClassVar[bool] = False

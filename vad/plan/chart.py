@@ -56,12 +56,17 @@ HEIGHT = 0.042  # of the line
 
 @dataclass(frozen=True, slots=True)
 class Dial:
-    """One quantity of a chart: its link or slide, its colour, and the notation of its numbers."""
+    """One quantity of a chart.
+
+    It has the name of its link or slide, its colour and the notation of its numbers.  ``since`` is
+    said after an angle that is counted from elsewhere: "after touch-down".
+    """
 
     name: str
     row: int | None
     curve: Series
     notation: Notation
+    since: str = ""
 
     @property
     def unit(self) -> str:
@@ -77,8 +82,10 @@ class Dial:
 
     def reading(self, value: float, named: bool = True) -> Runs:
         """Return a value with its symbol and unit, and the name of the row if ``named``."""
-        name = roman(f"{self.name} ") if named else ()
         unit = roman(with_unit("", self.unit))
+        if self.since:
+            return (*self.number(value), *unit, *roman(f" {self.since}" if named else ""))
+        name = roman(f"{self.name} ") if named and self.name else ()
         return (*name, *symbols(self.curve.symbol), *roman(" = "), *self.number(value), *unit)
 
     @property
@@ -91,7 +98,17 @@ class Dial:
 def dial(sheet: Sheet, curve: Series) -> Dial:
     """Return the dial of a curve, with the name of its row."""
     number = next(index for index, row in enumerate(sheet.rows) if row.key == curve.row)
-    return Dial(sheet.rows[number].title, number, curve, sheet.notation)
+    return Dial(sheet.rows[number].title if curve.titled else "", number, curve, sheet.notation)
+
+
+def time_of(sheet: Sheet, cycle: Cycle) -> Dial:
+    """Return the dial of the driver; with a foot, how far it has turned since that touched down."""
+    driver = dial(sheet, cycle.place)
+    if cycle.stance is None:
+        return driver
+    turned = replace(cycle.place, unit="°", values=360.0 * cycle.shares)
+    say = Language(sheet.language).say
+    return replace(driver, curve=turned, since=say("after touch-down"))
 
 
 class Chart:
@@ -213,7 +230,11 @@ class Chart:
         """Return what the curve shows, and in which unit."""
         output, y = self._output, self._place.top - VALUE_BASELINE
         comma = f", {output.unit}" if output.unit else ""
-        runs = (*roman(f"{output.name} "), *symbols(output.curve.symbol), *roman(comma))
+        runs = (
+            *roman(f"{output.name} " if output.name else ""),
+            *symbols(output.curve.symbol),
+            *roman(comma),
+        )
         return [Mark(Lettering(runs, complex(self._place.left, y), VALUE), "words")]
 
     def words(self, share: float) -> list[Mark]:
@@ -253,10 +274,10 @@ class Chart:
         return [piece for piece in pieces if len(piece) > 1]
 
     def _returns(self) -> list[Rect]:
-        """Return the parts of the chart in which the output returns."""
-        if self._cycle.back is None:
+        """Return the parts of the chart in which the output returns, or a foot stands."""
+        if self._cycle.shaded is None:
             return []
-        first, last = self._cycle.back
+        first, last = self._cycle.shaded
         spans = [(first, min(last, 1.0)), (0.0, last - 1.0)] if last > 1.0 else [(first, last)]
         box = self.box
         return [
@@ -265,9 +286,11 @@ class Chart:
         ]
 
 
-def driver_ticks(course: Course, unit: str, notation: Notation) -> list[tuple[float, str]]:
+def ticks_of(course: Course, cycle: Cycle, notation: Notation) -> list[tuple[float, str]]:
     """Return what stands below the curves: right angles of a crank, the ends of a swing."""
-    low, high = course.ends
+    if cycle.stance:
+        return [(k / 4, f"{90 * k}°") for k in range(5)]
+    (low, high), unit = course.ends, cycle.place.unit
     if course.swing:
         bare = unit if unit == "°" else ""
         ends = [written_end(value, bare, notation) for value in (low, high)]
@@ -308,7 +331,10 @@ def work_lines(cycle: Cycle, sheet: Sheet, room: Rect) -> list[Mark]:
 
 
 class Clock:
-    """The line above the mechanism: the strokes of a quick return, or the ends of a swing.
+    """The line above the mechanism.
+
+    It has the strokes of a quick return, the stance and the swing of a foot, or the ends of a
+    driver that swings.
 
     Attributes
     ----------
@@ -317,9 +343,16 @@ class Clock:
     """
 
     def __init__(self, cycle: Cycle, course: Course, sheet: Sheet, room: Rect) -> None:
-        self._back = cycle.back
+        self._shaded, self._stands = cycle.shaded, cycle.stance is not None
         say = Language(sheet.language).say
-        if cycle.back:
+        if cycle.stance:
+            lift = sheet.notation.quantity(cycle.stance.lift, cycle.curves["position"].unit)
+            words = [
+                f"{say('stance')} {_degrees(cycle.stance.part)}",
+                f"{say('swing')} {_degrees(1.0 - cycle.stance.part)}",
+                f"{say('lift')} {lift}",
+            ]
+        elif cycle.back:
             part = cycle.back[1] - cycle.back[0]
             words = [
                 f"{say('forward')} {_degrees(1.0 - part)}",
@@ -339,10 +372,11 @@ class Clock:
 
     def marks(self, share: float | None = None) -> list[Mark]:
         """Return the line; the stroke in which the share of the cycle lies is dark."""
-        if self._back is None or share is None:
+        if self._shaded is None or share is None:
             return [Mark(text, "notes") for text in self._texts]
-        returns = (share - self._back[0]) % 1.0 < self._back[1] - self._back[0]
-        roles = ("notes", "words", "notes") if returns else ("words", "notes", "notes")
+        first, last = self._shaded
+        second = ((share - first) % 1.0 < last - first) != self._stands
+        roles = ("notes", "words", "notes") if second else ("words", "notes", "notes")
         return [Mark(text, role) for text, role in zip(self._texts, roles, strict=True)]
 
 

@@ -14,7 +14,7 @@ from vad.lecture.moment import Moment
 from vad.lecture.turn import Turn
 from vad.plan.board import rows_of
 from vad.plan.chart import HEIGHT as LINE
-from vad.plan.chart import Chart, Clock, dial, driver_ticks, work_lines
+from vad.plan.chart import Chart, Clock, dial, ticks_of, time_of, work_lines
 from vad.plan.format import Format, screen
 from vad.plan.geometry import Rect
 from vad.plan.hodographs import Hodographs
@@ -86,10 +86,9 @@ class TurnBoard:
                 aside = beside_mechanism(panel, drawing)
                 setting = Setting(sheet, half, room, rows, (), self.form.centimetre, beside=aside)
                 same = [pose.panel(half.name) for pose in poses]
-                opening = turn.course.opening
-                self.panels[half.name] = TurnPanel(setting, same, self.cycle, opening)
+                self.panels[half.name] = TurnPanel(setting, same, self.cycle, turn.opening)
         self.charts = self._charts(sheet, layout.charts)
-        self.ticks = driver_ticks(turn.course, self.cycle.place.unit, notation)
+        self.ticks = ticks_of(turn.course, self.cycle, notation)
         marks = self._still(sheet)
         self.unmoved = [Item("", name, Level.GROUND, tuple(each)) for name, each in marks if each]
         for moving in self.panels.values():
@@ -119,7 +118,7 @@ class TurnBoard:
     def _charts(self, sheet: Sheet, places: Mapping[str, Rect]) -> dict[str, Chart]:
         charts: dict[str, Chart] = {}
         cycle = self.cycle
-        driver = dial(sheet, cycle.place)
+        driver = time_of(sheet, cycle)
         for name, curve in cycle.curves.items():
             output = dial(sheet, curve)
             first = not charts

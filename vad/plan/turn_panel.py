@@ -5,6 +5,7 @@ The scale, the supports and the motions of the labels are chosen once for all po
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
@@ -14,7 +15,7 @@ import numpy as np
 
 from vad.lecture.cycle import Cycle
 from vad.plan.anchors import Anchor, Solved
-from vad.plan.hodographs import Complexes, Hodographs
+from vad.plan.hodographs import Complexes, Hodographs, within
 from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import Placed
@@ -22,8 +23,9 @@ from vad.plan.labels.springs import Ballast, Boxes, Crowd, Spring, find_spring
 from vad.plan.labels.vertices import LETTER, SMALL_SIZE, lettered, text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
-from vad.plan.marks import Mark, line
+from vad.plan.marks import Mark, line, lines
 from vad.plan.pictures import over_turn
+from vad.plan.pictures.machine import TICK, TICK_PITCH
 from vad.plan.pictures.polygon import CORIOLIS, name_of, principal
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.diagram import Spot
@@ -35,6 +37,10 @@ SHOWN = 0.5
 #: A label that stands farther from its dot is led to it by a line; from there on the line appears.
 FAR, LEADER_APPEARS, LEADER_GAP = 20.0 * PIXEL, 4.0 * PIXEL, 5.0 * PIXEL
 
+#: The share of ink of links that have nothing to do with the point that is followed.
+FAINT = 0.38
+#: So far the ground reaches beyond the path of a foot, and lies below it.
+GROUND, GROUND_BELOW = 0.05, 0.010
 
 #: The components of vectors that have a name of their own.
 NAMED = ("coriolis", "force", "load", "couple", "action")
@@ -96,11 +102,13 @@ class TurnPanel:
             for each in drawn
             if each.path in ("drawn", "bare") and not (is_place and each in straight)
         ]
+        self._stance = self._stands(cycle, is_place)
+        self._faint = _unconcerned(setting, cycle) if is_place else frozenset()
         self.names = self._place(poses)
 
     def still(self) -> list[Item]:
         """Return the items that are the same in all poses."""
-        ways = self.hodographs.still(self.ways)
+        ways = [*self.hodographs.still(self.ways), *self._stance]
         region = self._setting.panel.column
         found = [Item("", region, Level.GROUND, tuple(ways))] if ways else []
         return [*found, *self.picture.still.items]
@@ -114,6 +122,7 @@ class TurnPanel:
     def pose(self, panel: Panel, phase: float) -> Sketch:
         """Return one pose with its labels."""
         sketch = self.picture.pose(panel)
+        sketch.items[:] = [self._inked(item) for item in sketch.items]
         solved = Solved(panel, self.scale)
         for name, placed in self.labels(panel, phase):
             runs, role = symbols(name.text), "letter" if name.row is None else "tag"
@@ -130,6 +139,24 @@ class TurnPanel:
             )
             sketch.obstacles.box(placed.box)
         return sketch
+
+    def _inked(self, item: Item) -> Item:
+        """Return an item of a pose, pale if the point that is followed does not move with it."""
+        if item.stroke not in self._faint or item.level == Level.DOT:
+            return item
+        return replace(item, marks=tuple(replace(m, alpha=FAINT * m.alpha) for m in item.marks))
+
+    def _stands(self, cycle: Cycle, is_place: bool) -> list[Mark]:
+        """Return the part of a path in which a foot stands, and the ground below it."""
+        marks: list[Mark] = []
+        if cycle.stance is None:
+            return marks
+        for spot in self.ways:
+            stands = self.hodographs.stretch(spot, 0.0, cycle.stance.part).tolist()
+            marks.append(lines(within(self.room, stands), "return way"))
+            if is_place:
+                marks += _ground(self.hodographs.tracks[spot])
+        return marks
 
     def _leader(self, name: Name, dot: complex, placed: Placed) -> list[Mark]:
         """Return the line from a label to its dot, if it stands far from it."""
@@ -154,8 +181,8 @@ class TurnPanel:
         found = []
         for name in self.names:
             dot, alpha = self._spot(name.letters, name.vector, panel, phase)
-            offset, ink = name.spring.at(phase)
-            if alpha * ink >= SHOWN:
+            offset = name.spring.at(phase)
+            if offset is not None and alpha >= SHOWN:
                 size = ink_size(symbols(name.text), name.size)
                 found.append((name, Placed(dot + offset, *size)))
         return found
@@ -203,7 +230,7 @@ class TurnPanel:
         room = self._setting.room
         sketches = [self.picture.pose(pose) for pose in poses]
         ways = Obstacles(room)
-        for mark in self.hodographs.still(self.ways):
+        for mark in [*self.hodographs.still(self.ways), *self._stance]:
             for piece in mark.shape.pieces:  # type: ignore[union-attr]
                 ways.line(piece, 0.0)
         strokes = Crowd(room, [sketch.obstacles for sketch in sketches])
@@ -254,6 +281,27 @@ class TurnPanel:
             elif letter.row or not np.ptp(way):  # the lever's point under a pin needs no letter
                 same[0].append(letter)
         return [tuple(group) for group in sorted(found, key=lambda g: g[0] in self.ways)]
+
+
+def _ground(way: Complexes) -> list[Mark]:
+    """Return the hatched ground on which a foot walks."""
+    left, right = float(way.real.min()) - GROUND, float(way.real.max()) + GROUND
+    level = float(way.imag.min()) - GROUND_BELOW
+    tick, pitch = TICK * cmath.exp(-0.75j * math.pi), TICK_PITCH
+    feet = [complex(right - number * pitch, level) for number in range(int((right - left) / pitch))]
+    rail = line((complex(left, level), complex(right, level)), "rail")
+    return [rail, lines([(foot, foot + tick) for foot in feet], "hatching")]
+
+
+def _unconcerned(setting: Setting, cycle: Cycle) -> frozenset[str]:
+    """Return the full names of the strokes of links that neither drive nor have the output point.
+
+    Where no point is followed there are none.
+    """
+    if cycle.followed is None:
+        return frozenset()
+    kept, panel = {cycle.driver, cycle.followed.row, None}, setting.panel
+    return frozenset(panel.full(each.name) for each in panel.strokes if each.link not in kept)
 
 
 def _arrow(spot: Spot, panel: Panel) -> Arrow | None:

@@ -195,7 +195,7 @@ def over_turn(setting: Setting, poses: Sequence[Panel]) -> Polygon:
     polygons = [corners(principal(pose)) for pose in poses]
     # What leaves its room would be taken for a part of the other polygon in its column.
     dwarfed = SINGLE if len(setting.sheet.panel(setting.panel.column).halves) == 1 else STACKED
-    if setting.panel.column == VELOCITY.panel:
+    if setting.panel.column == VELOCITY.panel or _is_followed(setting.panel):
         dwarfed = math.inf  # a quick return is fast: that is what the turn shows
     below = BAR_ROOM if setting.panel.name != setting.panel.column else 0.0
 
@@ -217,6 +217,11 @@ def over_turn(setting: Setting, poses: Sequence[Panel]) -> Polygon:
             if corner:
                 return Polygon(setting, polygon.scale, InsetPlace(size, corner))
     return full
+
+
+def _is_followed(panel: Panel) -> bool:
+    """Tell whether the panel has the vector of one point alone."""
+    return any(stroke.part.which == "followed" for stroke in (*panel.strokes, *panel.zeros))
 
 
 def _drawn(setting: Setting, room: Rect, labels: LabelChoice) -> Sketch:
