@@ -203,7 +203,7 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
     return Sheet(
         mechanism=mechanism.name,
         title=scene.name(mechanism.title),
-        parameters=_parameters(mechanism, language),
+        parameters=parameters_of(mechanism, language)[0],
         rows=clean,
         panels=tuple(finished(panel, scene.voice) for panel in drawn),
         language=language,
@@ -277,13 +277,17 @@ def turning(
     return usual if panels is None else panels
 
 
-@lru_cache(maxsize=64)
-def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, str], ...]:
-    """Return the parameters that the title lists: name, value and unit of each.
+#: Name, value and unit of parameters.
+Named = tuple[tuple[str, float, str], ...]
 
-    It lists all lengths and arcs.  It lists another angle unless that is 0, or a default that is a
-    multiple of 90°.  If these are too many for a line, it leaves out coordinates first, and then
-    the last ones.
+
+@lru_cache(maxsize=64)
+def parameters_of(mechanism: Mechanism, language: str) -> tuple[Named, Named]:
+    """Return the parameters that the title lists, and those for which it has no room.
+
+    They are all lengths and arcs, and another angle unless that is 0, or a default that is a
+    multiple of 90°.  If these are too many for a line, the title leaves out coordinates first, and
+    then the last ones.
     """
     plain, unit = type(mechanism), mechanism.length_unit
     voice = Voice(language, names=mechanism.own_names)
@@ -314,10 +318,12 @@ def _parameters(mechanism: Mechanism, language: str) -> tuple[tuple[str, float, 
         tail, head = points_of(mechanism.links.get(link) or _rod_ends(mechanism, link))
         shown.append((tail + name, distance, unit))
         shown += [(head + tail + name, each, "°") for each in angle if each]
+    listed = shown
     if len(shown) > MOST:
         coordinates = {point + axis for point in solve(mechanism).points for axis in "xy"}
-        shown = [each for each in shown if each[0] not in coordinates]
-    found: tuple[tuple[str, float, str], ...] = canonical(tuple(shown[:MOST]))
+        listed = [each for each in shown if each[0] not in coordinates][:MOST]
+    rest = [each for each in shown if each not in listed]
+    found: tuple[Named, Named] = canonical(tuple(listed)), canonical(tuple(rest))
     return found
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from vad import gate
+from vad.strokes.description import listed
+from vad.strokes.draw import parameters_of
 from vad.strokes.sheet import Cell, Sheet
 from vad.words import Gap, Language, TextPiece
 from vad.written import with_unit
@@ -29,15 +31,16 @@ def checked(name: str, text: object) -> str:
 def task(sheet: Sheet, blank: Collection[str]) -> tuple[Pieces, ...]:
     """Return the task in words, the longest form first.
 
-    The longest one begins with the values that are given.  The second one leaves them out, for
-    they stand in the table, too.  The last one leaves out what is to be found.
+    The longest one begins with the values that are given, and with dimensions for which the title
+    has no room.  The next ones leave out the values, for they stand in the table, too, and refer
+    to the drawing for such dimensions.  The last one leaves out what is to be found.
     """
     language = Language(sheet.language)
     panels = [panel for panel in sheet.panels if panel.name in blank]
     cells = [cell for row in sheet.rows for p in panels for cell in row.cells.get(p.name, ())]
     named = [_panel(language, panel.name, panel.title) for panel in panels]
     drawn = _listed(language, [(TextPiece(each),) for each in named])
-    found = [_symbol(cell) for cell in cells if not cell.given]
+    found = list(dict.fromkeys(_symbol(cell) for cell in cells if not cell.given))
     short = _phrase(language, "task draw", panels=drawn)
     asked = _listed(language, found)
     middle = _phrase(language, "task", panels=drawn, found=asked) if found else short
@@ -48,10 +51,28 @@ def task(sheet: Sheet, blank: Collection[str]) -> tuple[Pieces, ...]:
         for cell in each
         if cell.given
     ]
-    if not given:
-        return middle, short
-    values = _phrase(language, "task given", given=_listed(language, given))
-    return (*values, TextPiece(" "), *middle), middle, short
+    given = list(dict.fromkeys(given))
+    source = sheet.source
+    rest = parameters_of(source.mechanism, sheet.language)[1] if source else ()
+    more = listed(rest, sheet.notation)
+    parts: list[list[Pieces]] = [[middle], [short]]
+    if more:
+        measured = _phrase(language, "task measure")
+        parts = [[measured, middle], [measured, short], *parts]
+        further = _phrase(language, "task more", given=_listed(language, more))
+        parts.insert(0, [further, middle])
+    if given:
+        values = _phrase(language, "task given", given=_listed(language, given))
+        parts.insert(0, [values, *parts[0]])
+    return tuple(map(_joined, parts))
+
+
+def _joined(parts: Sequence[Pieces]) -> Pieces:
+    """Return sentences with spaces between them."""
+    found = list(parts[0])
+    for part in parts[1:]:
+        found += [TextPiece(" "), *part]
+    return tuple(found)
 
 
 def _panel(language: Language, name: str, title: str) -> str:

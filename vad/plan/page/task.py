@@ -10,9 +10,9 @@ from collections.abc import Collection, Iterator, Sequence
 from vad.errors import UsageError
 from vad.plan.board import Plan, reach
 from vad.plan.geometry import Rect
-from vad.plan.items import RESULTS, TASK, TITLE, Item, Level
+from vad.plan.items import FOREVER, RESULTS, TASK, TITLE, Item, Level
 from vad.plan.lettering.glyphs import width
-from vad.plan.lettering.runs import roman
+from vad.plan.lettering.runs import Runs, roman
 from vad.plan.lettering.wrapping import Pieces, wrap
 from vad.plan.marks import Lettering, Mark, line
 from vad.strokes.task import task
@@ -20,17 +20,24 @@ from vad.words import Language, TextPiece, text_of
 
 #: The sizes of type of a task, the best first.
 SIZES = (0.032, 0.030, 0.028, 0.026, 0.024)
+#: Those of a task that has no room in any other.
+SMALLEST = (0.022, 0.020, 0.018)
+#: If type is as large as this, room for calculations counts more than larger type.
+LARGE = 0.028
 PITCH = 1.28  # from line to line, in type sizes
 #: The type of the words before the lines for name and class, and the room about them.
 NAME_SIZE, NAME_GAP, BETWEEN = 0.028, 0.012, 0.03
 #: The least length of the line for a name, and the share of the room that it takes.
 LEAST_NAME, NAME_SHARE = 0.25, 0.72
+NAME_APART = 0.004  # from anything else
 ABOVE = 0.018  # from the parameters to a line above them
 DROP = 0.006
 #: The clear space about what is written into a free place.
 CLEAR = 0.024
 #: How high a free place is at least that is offered for calculations.
 WORKING = 0.10
+#: Places whose areas differ by less are alike for calculations: the task then stands above.
+ALIKE = 0.04
 
 
 def upon_problem(key: Plan, kept: Sequence[Item], blank: Collection[str], own: str) -> list[Item]:
@@ -43,14 +50,20 @@ def upon_problem(key: Plan, kept: Sequence[Item], blank: Collection[str], own: s
     """
     places = list(_free(key, kept, blank))
     marks = _names(key, kept, places)
-    told, rest = _task(key, places, blank, own)
+    told, places = _task(key, places, blank, own)
     marks += told
-    if rest and rest.height >= WORKING:
+    room = max(places, key=_worth, default=None)
+    if room and _worth(room):
         say = Language(key.sheet.language).say
-        y = rest.top - CLEAR / 2
-        marks.append(line([complex(rest.left, y), complex(rest.right, y)], "hairline"))
-        marks.append(_words(say("working"), complex(rest.left, y - 1.3 * NAME_SIZE)))
+        y = room.top - CLEAR / 2
+        marks.append(line([complex(room.left, y), complex(room.right, y)], "hairline"))
+        marks.append(_words(say("working"), complex(room.left, y - 1.3 * NAME_SIZE)))
     return [Item("", TASK, Level.GROUND, tuple(marks))]
+
+
+def _worth(place: Rect) -> float:
+    """Return how much room a place gives for calculations: its area, or 0 where it is too low."""
+    return place.width * place.height if place.height >= WORKING else 0.0
 
 
 def _names(key: Plan, kept: Sequence[Item], places: list[Rect]) -> list[Mark]:
@@ -70,10 +83,12 @@ def _names(key: Plan, kept: Sequence[Item], places: list[Rect]) -> list[Mark]:
     for left, right, y in (
         (title, end, page.title),
         (title, page.right, min(high, top)),
-        (page.left, end, top),
+        (page.left, end + BETWEEN, top),
     ):
         found = _lines(key, left, right, y)
-        if found and not any(_meet(_box(mark), box) for mark in found for box in boxes):
+        if found and not any(
+            _meet(_box(mark), box.inside(-NAME_APART)) for mark in found for box in boxes
+        ):
             return found
     for number, place in enumerate(places):
         y = place.top - 1.5 * NAME_SIZE
@@ -110,34 +125,49 @@ def _words(word: str, at: complex) -> Mark:
 
 def _task(
     key: Plan, places: Sequence[Rect], blank: Collection[str], own: str
-) -> tuple[list[Mark], Rect | None]:
-    """Return the task, and what is left below it of the free place in which it stands."""
+) -> tuple[list[Mark], list[Rect]]:
+    """Return the task, and what is left of the free places.
+
+    It stands where its type is large, and where most room is left for calculations, else above.
+    A shorter form in large type comes before a longer one in small type, if it asks for the same.
+    """
     forms: tuple[Pieces, ...] = ((TextPiece(own),),) if own else task(key.sheet, blank)
-    for pieces in forms:
-        for place in places:
-            for size in SIZES:
+    large = tuple(size for size in SIZES if size >= LARGE)
+    tried = [(form, large) for form in forms[:-1]] + [(form, SIZES) for form in forms]
+    tried += [] if own else [(forms[-1], SMALLEST)]
+    for pieces, sizes in tried:
+        best: tuple[tuple[float, ...], list[Mark], list[Rect]] | None = None
+        for number, place in enumerate(places):
+            others = [*places[:number], *places[number + 1 :]]
+            for size in sizes:
                 lines = wrap(pieces, size, place.width)
                 high = size * (1.12 + PITCH * (len(lines) - 1))
                 if high > place.height or any(width(runs, size) > place.width for runs in lines):
                     continue
-                first = complex(place.left, place.top - 0.86 * size)
-                steps = [first - 1j * PITCH * size * number for number in range(len(lines))]
-                marks = [
-                    Mark(Lettering(runs, at, size), "words")
-                    for runs, at in zip(lines, steps, strict=True)
-                ]
-                rest = Rect(place.left, place.bottom, place.right, place.top - high)
-                return marks, rest
+                rest = [*others, Rect(place.left, place.bottom, place.right, place.top - high)]
+                room = round(max(map(_worth, rest)) / ALIKE)
+                worth = (min(size, LARGE), room, place.top, size)
+                if best is None or worth > best[0]:
+                    best = worth, _lettered(lines, size, place), rest
+        if best:
+            return best[1], best[2]
+    letters = len(text_of(forms[0]))
+    message = f"task: has {letters} letters; this page has no room for so many"
     if own:
-        letters = len(text_of(forms[0]))
-        message = f"task: has {letters} letters; this page has no room for so many"
         raise UsageError(message, "try a shorter task, or a wider page")
-    return [], None
+    raise UsageError(message, "try another size, fewer panels, or leave the task out")
+
+
+def _lettered(lines: Sequence[Runs], size: float, place: Rect) -> list[Mark]:
+    """Return lines of a task, from the top of a place on."""
+    first = complex(place.left, place.top - 0.86 * size)
+    steps = [first - 1j * PITCH * size * number for number in range(len(lines))]
+    return [Mark(Lettering(runs, at, size), "words") for runs, at in zip(lines, steps, strict=True)]
 
 
 def _free(key: Plan, kept: Sequence[Item], blank: Collection[str]) -> Iterator[Rect]:
     """Yield the places of the page that a problem leaves free, the largest first."""
-    page = key.page
+    page, kept = key.page, [item for item in kept if item.until == FOREVER]
     found: list[Rect] = []
     if page.results:
         table = [item for item in kept if item.region == RESULTS]
@@ -157,9 +187,20 @@ def _free(key: Plan, kept: Sequence[Item], blank: Collection[str]) -> Iterator[R
             Rect(each.left, low, each.right, each.bottom)
             for each, low in zip(drawings, lows, strict=True)
         ]
+    for name in page.panels.keys() - blank:
+        found += _beside_drawing(page.panels[name].drawing, [i for i in kept if i.region == name])
     boxes = [_box(mark) for each in kept for mark in each.marks]
     free = [each for each in found if each.height > 0 and not any(_meet(each, b) for b in boxes)]
-    yield from sorted(free, key=lambda each: -each.width * each.height)
+    yield from sorted(free, key=lambda each: (-each.width * each.height, each.left))
+
+
+def _beside_drawing(room: Rect, items: Sequence[Item]) -> list[Rect]:
+    """Return the places above and below what is drawn already."""
+    drawn = reach(items)
+    return [
+        Rect(room.left, drawn.top + CLEAR, room.right, room.top - CLEAR / 2),
+        Rect(room.left, room.bottom, room.right, drawn.bottom - CLEAR),
+    ]
 
 
 def _meet(one: Rect, other: Rect) -> bool:
