@@ -251,3 +251,14 @@ def numbered(symbol: str) -> tuple[str, str]:
     """
     bare = symbol.rstrip("₀₁₂₃₄₅₆₇₈₉")
     return bare, symbol[len(bare) :].translate(_LEVEL)
+
+
+def base_name(slide: str) -> str:
+    """Return the word for a slide, without what tells it from others of that word.
+
+    Examples
+    --------
+    >>> base_name("piston_b"), base_name("ram")
+    ('piston', 'ram')
+    """
+    return slide.split("_", maxsplit=1)[0]

@@ -14,6 +14,7 @@ from PIL import Image
 
 import vad
 from vad.errors import InputError, UsageError
+from vad.files.examples import example_path
 
 TEXT = """\
 [sheet]
@@ -189,3 +190,12 @@ def test_a_sheet_from_which_nothing_is_found_is_refused(tmp_path):
     with pytest.raises(InputError, match="ask: no panel left blank") as caught:
         vad.quiz(file, tmp_path / "bank.xml")
     assert caught.value.hint.startswith("as in ask = [")
+
+
+def test_questions_have_the_names_of_the_file_in_their_language(tmp_path: Path):
+    sheets = tmp_path / "sheets.toml"
+    sheets.write_text('[sheet]\nmechanism = "v-engine.toml"\nlanguage = "de"\nblank = "velocity"\n')
+    (tmp_path / "v-engine.toml").write_text(example_path("v-engine").read_text())
+    tasks = [each.task for each in vad.quiz(sheets, tmp_path / "bank.md")]
+    asked = ("des Hauptpleuels", "des Nebenpleuels", "des Kolbens B", "des Kolbens D")
+    assert all(each in task for each, task in zip(asked, tasks, strict=True))

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import vad as library
+from vad.files.examples import example_path
 
 
 def table(text: str) -> tuple[list[str], np.ndarray]:
@@ -84,6 +85,17 @@ def test_a_plot_has_words_and_a_table_has_none(vad, tmp_path):
     refused = vad(*words, str(tmp_path / "a.csv"))
     assert refused.code == 2
     assert "language: .csv has no such option" in refused.err
+
+
+@pytest.mark.parametrize("columns", [(), ("--columns", "piston_b.velocity,link_rod.omega")])
+def test_a_plot_has_the_names_of_the_file_in_its_language(vad, tmp_path, columns):
+    (tmp_path / "v.toml").write_text(example_path("v-engine").read_text("utf-8"), "utf-8")
+    words = ("--steps", "7", "--language", "de", *columns, "-o", str(tmp_path / "a.svg"))
+    assert vad("sweep", str(tmp_path / "v.toml"), *words).code == 0
+    drawn = (tmp_path / "a.svg").read_text("utf-8")
+    assert "V-Motor mit angelenktem Nebenpleuel" in drawn
+    assert "<!-- Nebenpleuel" in drawn
+    assert "<!-- Kolben" in drawn
 
 
 def test_figures_of_merit_are_columns_of_a_dimension(vad):

@@ -74,7 +74,7 @@ def _of_klein(sheet: Sheet) -> Iterator[Answer]:
 
 def _of_centres(motion: Motion, sheet: Sheet) -> Iterator[Answer]:
     """Yield the places of the centres that are drawn; of one far away, its direction."""
-    scene: Any = scene_of(motion, Language(sheet.language))
+    scene: Any = scene_of(motion, Language(sheet.language, sheet.names))
     centres = Centres(motion)
     names = BodyNames(scene, centres.kennedy.bodies.bodies)
     drawn = {stroke.part.of for stroke in sheet.panel("centres").strokes}

@@ -29,7 +29,7 @@ from vad.strokes.draw import usual_of
 from vad.strokes.sheet import Sheet
 from vad.units import scene_unit
 from vad.words import Gap, Language, text_of
-from vad.written import sign, with_unit
+from vad.written import base_name, sign, with_unit
 
 #: The pictures of a question in pixels: readable beside the text of a platform.
 SIZE = (1024, 576)
@@ -113,7 +113,7 @@ def _questions(job: Job) -> Iterator[Question]:
     wanted = {name: options[name] for name in OF_DRAW if name in options}
     sheet = vad.draw(pose, **wanted)
     blank = blank_of(job, sheet)
-    language, style = Language(sheet.language), options.get("style")
+    language, style = Language(sheet.language, sheet.names), options.get("style")
     numbered = replace(sheet, title=f"{sheet.title} · {job.label}")
     forces = pose if isinstance(pose, Forces) else None
     asked = job.recipe.ask or tuple(dict.fromkeys(_usual(motion, forces, sheet, blank)))
@@ -130,7 +130,7 @@ def _questions(job: Job) -> Iterator[Question]:
         yield Question(
             name=f"{job.recipe.mechanism.removesuffix('.toml')} {job.label} {result}",
             category=sheet.title,
-            task=f"{given} {_find(language, phrase, *_owners(motion, result), unit)}",
+            task=f"{given} {_find(language, phrase, *_owners(motion, result), unit, motion)}",
             picture=problem,
             key=key,
             title=title,
@@ -290,16 +290,21 @@ def _owners(motion: Motion, result: str) -> tuple[str, str]:
     return one, other
 
 
-def _find(language: Language, phrase: str, owner: str, other: str, unit: str) -> str:
+def _find(
+    language: Language, phrase: str, owner: str, other: str, unit: str, motion: Motion
+) -> str:
     """Return what is to be found, in words."""
-    speaker = language.speaker(phrase)
+    speaker, slides = language.speaker(phrase), motion.mechanism.slides
     texts = {"unit": sign(unit), "point": owner}
+
+    def noun(gap: Gap) -> str:
+        """Return a name; of several slides that are called alike, it has the point."""
+        name = other if gap.name == "other" else owner
+        word = base_name(name) if name in slides else name
+        said = speaker.noun(word, gap.article, gap.name)
+        return said if word == name else f"{said} {slides[name]}"
+
     return "".join(
-        (
-            texts.get(each.name)
-            or speaker.noun(other if each.name == "other" else owner, each.article, each.name)
-        )
-        if isinstance(each, Gap)
-        else each.text
+        (texts.get(each.name) or noun(each)) if isinstance(each, Gap) else each.text
         for each in language.template(phrase)
     )

@@ -39,7 +39,9 @@ SYMBOLS = {
     "transmission": "$\\mu$",
     "force": "$F$",
 }
-_LINE = 110  # characters of the smallest type on one line
+_LINE = 110  # characters of the usual type on one line
+#: The type of what is given, in heights of the picture, and its least share where it is much.
+_GIVEN, _SMALL = 0.028, 0.75
 _NOTHING = 1e-9
 #: The type of names at the ends of curves, and the gap before them, in heights of the picture.
 NAME, NAME_GAP = 0.026, 0.01
@@ -61,9 +63,12 @@ class Look:
     say: Language
 
     @classmethod
-    def of(cls, style: str | None, language: str | None) -> Look:
-        """Return a look by the names of a style and of a language; None is the usual one."""
-        return cls(load_style(style or "paper"), Language(language or "en"))
+    def of(cls, style: str | None, language: str | None, mechanism: Mechanism) -> Look:
+        """Return a look by the names of a style and of a language; None is the usual one.
+
+        The mechanism may bring names of its own in that language.
+        """
+        return cls(load_style(style or "paper"), Language(language or "en", mechanism.own_names))
 
 
 @contextmanager
@@ -114,12 +119,17 @@ def head(figure: Figure, mechanism: Mechanism, inputs: Mapping[str, Any], look: 
             unit = sign(scene_unit(kind, mechanism.length_unit))
             items.append(f"{name} {quantity(value, unit, given=True).replace('.', point)}")
     joined = "   ".join(item.replace(" ", _HARD_SPACE) for item in items)
+    lines = textwrap.wrap(joined, _LINE)
+    size, most = _GIVEN, _LINE
+    if len(lines) > 2:  # a third line would lie on the first plot
+        size, most = _SMALL * _GIVEN, int(_LINE / _SMALL)
     figure.text(0.03, 0.94, say.name(mechanism.title), fontsize=points(0.050), weight="bold")
     figure.text(
         0.03,
         0.915,
-        powers(textwrap.fill(joined, _LINE)),
+        powers(textwrap.fill(joined, most)),
         color=look.style.grey,
+        fontsize=points(size),
         verticalalignment="top",
     )
 

@@ -18,4 +18,4 @@ def write(
     language: str | None = None,
 ) -> None:
     """Write the plot of a motion's results, and of its forces, as `vad.export.sweep_png` has it."""
-    write_as("pdf", motion, target, burden, Look.of(style, language))
+    write_as("pdf", motion, target, burden, Look.of(style, language, motion.mechanism))

@@ -32,6 +32,7 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman
 from vad.statics.burden import Burden
 from vad.strokes.members import members_of
+from vad.written import base_name
 
 #: By how much a picture with forces is wider: they are a further column.
 _WIDER = 1.5
@@ -52,7 +53,7 @@ def write(
     vad.errors.AssemblyError
         If none of the poses can be assembled.
     """
-    write_as("png", motion, target, burden, Look.of(style, language))
+    write_as("png", motion, target, burden, Look.of(style, language, motion.mechanism))
 
 
 def write_as(
@@ -162,4 +163,6 @@ def _plain(row: Curves, look: Look) -> str:
 
 def _word(row: Curves, look: Look) -> str:
     """Return the name of a link, a slide or a joint without its letters."""
+    if row.name.endswith(f"_{row.letters.lower()}"):  # one of several slides that are called alike
+        return look.say.name(base_name(row.name))
     return look.say.name(row.name.removesuffix(f" {row.letters}"))

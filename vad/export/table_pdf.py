@@ -13,4 +13,4 @@ def write(
     table: Table, target: BinaryIO, style: str | None = None, language: str | None = None
 ) -> None:
     """Write the plot of chosen columns, as `vad.export.table_png` has it."""
-    write_as("pdf", table, target, Look.of(style, language))
+    write_as("pdf", table, target, Look.of(style, language, table.motion.mechanism))

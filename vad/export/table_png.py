@@ -24,6 +24,7 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman
 from vad.style import mix
 from vad.words import Language
+from vad.written import base_name
 
 #: The most panels of a plot, how many stand one below the other, and the most curves of a panel.
 MOST_PANELS, _BELOW, MOST_CURVES = 9, 3, 12
@@ -59,7 +60,7 @@ def write(
     vad.errors.UsageError
         For more quantities than a plot has room for.
     """
-    write_as("png", table, target, Look.of(style, language))
+    write_as("png", table, target, Look.of(style, language, table.motion.mechanism))
 
 
 def write_as(kind: str, table: Table, target: BinaryIO, look: Look) -> None:
@@ -152,6 +153,7 @@ class _Texts:
     def __init__(self, table: Table, say: Language) -> None:
         self._say, self._motion = say, table.motion
         mechanism: Any = table.motion.mechanism
+        self._slides = mechanism.slides
         self._letters: Mapping[str, str] = {**mechanism.slides, **mechanism.links}
 
     def symbol(self, column: Column) -> str:
@@ -196,7 +198,9 @@ class _Texts:
             text = f"{link}: {self._words('merit slowest')}"
             return text, text
         if name.owner in self._letters:
-            word, letters = say.name(name.owner), self._letters[name.owner]
+            slides = name.owner in self._slides
+            word = say.name(base_name(name.owner) if slides else name.owner)
+            letters = self._letters[name.owner]
             return plotting.italic(word, letters), plotting.plain(word, letters) + letters
         if name.owner:
             return f"$\\mathit{{{name.owner}}}$", name.owner

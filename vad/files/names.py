@@ -46,11 +46,6 @@ def own_names(source: Source, title: str, known: Iterable[str]) -> dict[str, dic
     }
 
 
-def base_name(slide: str) -> str:
-    """Return the word for a slide, without what tells it from others: piston of ``piston_b``."""
-    return slide.split("_", maxsplit=1)[0]
-
-
 def _of(source: Source, code: str, table: object, known: Iterable[str]) -> dict[str, str]:
     if not _CODE.fullmatch(code):
         hint = "the two letters of a language, as in [names.de]"

@@ -28,10 +28,11 @@ from vad.files.description import (
 )
 from vad.files.links import letters, link
 from vad.files.measures import lengths
-from vad.files.names import base_name, own_names
+from vad.files.names import own_names
 from vad.files.places import HINT, Place, place_of
 from vad.files.tables import Numbers, Source, is_zero
 from vad.units import check_length_unit, number_of
+from vad.written import base_name
 
 #: The inputs of a driver that turns, and of one that slides: its place, and two rates.
 INPUTS = {

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from vad.kinematics.bodies import FRAME, Body
 from vad.kinematics.kennedy import Pair
 from vad.strokes.sentences import Noun
-from vad.written import subscript
+from vad.written import base_name, subscript
 
 if TYPE_CHECKING:
     from vad.strokes.scene import Scene
@@ -65,5 +65,5 @@ class BodyNames:
     def noun(self, body: str) -> Noun:
         """Name a body in a sentence."""
         if body in self.members.slides and body not in self.members.links:
-            return Noun(body.split("_", maxsplit=1)[0], generic="slider")
+            return Noun(base_name(body), generic="slider")
         return Noun(body)

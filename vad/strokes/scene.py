@@ -22,7 +22,7 @@ from vad.strokes.members import Members, members_of
 from vad.strokes.pin_rows import pin_rows
 from vad.strokes.sentences import CaptionedMotion, Noun
 from vad.strokes.sheet import LOADS, Cell, Row
-from vad.written import PRIME, per_second
+from vad.written import PRIME, base_name, per_second
 
 if TYPE_CHECKING:
     from vad.kinematics.motion import Motion
@@ -155,7 +155,7 @@ class Scene(CaptionedMotion, ABC):
         for name in self.members.slides:
             cells = {diagram.name: diagram.cells(self, name, True) for diagram in diagrams}
             strut = mechanism.links.get(name)  # a strut: its slide has its letters
-            title = say("stroke" if strut else name.split("_", maxsplit=1)[0])
+            title = say("stroke" if strut else base_name(name))
             rows.append(Row(name, title, strut or mechanism.slides[name], cells))
         of_loads = [each for each in diagrams if each.name in ("position", "force", "drive")]
         if self.forces is not None and of_loads:
