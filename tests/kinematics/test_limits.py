@@ -13,7 +13,7 @@ import vad
 from tests.kinds import PLANE, SPACE
 from tests.kinematics.test_traps import crank
 from vad.files.examples import example_path
-from vad.kinematics.reach import closing_range, travels
+from vad.kinematics.reach import closing_range, slide_travels
 
 
 @pytest.mark.filterwarnings("error")
@@ -238,7 +238,7 @@ def test_a_narrow_range_is_exact() -> None:
     ],
 )
 def test_how_far_slides_get(mechanism: Any, slide: str, ends: tuple[float, float]) -> None:
-    assert travels(mechanism)[slide] == pytest.approx(ends, abs=1e-9)
+    assert slide_travels(mechanism)[slide] == pytest.approx(ends, abs=1e-9)
 
 
 def test_a_slot_beside_its_pivot_closes_in_the_narrowest_range():

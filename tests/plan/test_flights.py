@@ -35,7 +35,7 @@ SIDES = {
 
 
 def filmed(sheet, size=(1280, 720)):
-    return plan(sheet, screen(size), KEY, lesson=True, flights=True)
+    return plan(sheet, screen(size), KEY, lesson=True, travels=travels(sheet))
 
 
 def flights(board):
@@ -229,7 +229,7 @@ def test_nothing_flies_off_the_page(name):
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
 def test_on_a_stage_vectors_leave_the_small_pictures(size):
     _, sheet = moving("whitworth with ram")
-    stage = Stage(sheet, screen(size), KEY, flights=True)
+    stage = Stage(sheet, screen(size), KEY, travels(sheet))
     scene = stage.scene(2)
     found = [flight for flight in shafts(scene) if flight[1].stroke.startswith("acceleration")]
     assert {travel.kind for travel, _, _ in found} == {"normal", "tangential", "coriolis", "image"}

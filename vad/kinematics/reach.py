@@ -97,7 +97,7 @@ def _first_marks(solver: AnySolver) -> Array:
 
 
 @lru_cache(maxsize=64)
-def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[float, float]]:
+def slide_travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[float, float]]:
     """Return the least and the greatest position of every slide over all poses that close.
 
     They are found on a grid of the driver's range, as finely as they are drawn; NaN where the
@@ -106,7 +106,7 @@ def travels(mechanism: Mechanism, samples: int = 721) -> Mapping[str, tuple[floa
     Examples
     --------
     >>> from vad.mechanisms.scotch_yoke import ScotchYoke
-    >>> travels(ScotchYoke(crank=50))["block"]
+    >>> slide_travels(ScotchYoke(crank=50))["block"]
     (-50.0, 50.0)
     """
     solver = solver_of(mechanism)

@@ -17,7 +17,7 @@ from vad.kinematics.closed_forms import OpenLoopError
 from vad.kinematics.frame import ReferenceFrame
 from vad.kinematics.linkage import Linkage
 from vad.kinematics.numbers import Number, Truth, is_array
-from vad.kinematics.reach import closing_range, travels
+from vad.kinematics.reach import closing_range, slide_travels
 from vad.kinematics.results import place_unit
 from vad.kinematics.solver import Solver, solver_of
 from vad.kinematics.state import Pose, Rates
@@ -97,7 +97,7 @@ class Solution(Generic[Truth]):
     @cached_property
     def travels(self) -> Mapping[str, tuple[float, float]]:
         """The least and the greatest position of every slide over all poses that close."""
-        return travels(self.mechanism)
+        return slide_travels(self.mechanism)
 
     @property
     def assembly(self) -> str | dict[str, str] | None:

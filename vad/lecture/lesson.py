@@ -27,6 +27,8 @@ from vad.strokes.reveals import finder, revealed
 from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import Panel, Sheet, Stroke, driver_of
 from vad.strokes.telling import telling
+from vad.strokes.travel import Travel
+from vad.strokes.travels import travels
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +82,8 @@ class Lesson(Displayed):
     ``opening`` frames show what is drawn first, as it will be (`opens`), ``closing`` frames the
     finished page with the ``answer`` in words, if it has one.  The last of them, where there are
     scenes, bring the panels to their places in the sheet for ``glide``, and show it for ``settle``.
-    In a ``plain`` lesson nothing flies from panel to panel.
+    ``travels`` says what flies from panel to panel, by the full names of strokes
+    (`vad.strokes.travels`); None where nothing does.
     """
 
     sheet: Sheet
@@ -93,7 +96,7 @@ class Lesson(Displayed):
     answer: Sentence | None = None
     glide: int = 0
     settle: int = 0
-    plain: bool = False
+    travels: Mapping[str, Travel] | None = None
 
     def __repr__(self) -> str:
         """Return a line: what is drawn, in how many steps, and how long that takes."""
@@ -195,7 +198,8 @@ def animate(
 
     script = script_of(script)
     sheet, opening = script.told(sheet), OPENING / speed
-    found = [each.faster(speed) for each in times(sheet, loop, plain)]
+    flown = None if plain else travels(sheet)
+    found = [each.faster(speed) for each in times(sheet, loop, flown)]
     if script.pauses or script.markers:
         found, opening = scripted(found, script, sheet, opening)
     steps: list[LessonStep] = []
@@ -220,7 +224,7 @@ def animate(
     first, last, glide, settle = (round(each * fps) for each in seconds)
     settle = max(settle, 1) if is_staged(sheet) else 0
     first, last = max(1, first), max(1, last, glide + settle)
-    return Lesson(sheet, tuple(steps), first, last, fps, size, style, said, glide, settle, plain)
+    return Lesson(sheet, tuple(steps), first, last, fps, size, style, said, glide, settle, flown)
 
 
 def _loop(sheet: Sheet, loop: object) -> int:

@@ -15,8 +15,7 @@ from vad.lecture.telling import reading, share_caption, starts, told, told_toget
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
 from vad.strokes.telling import telling
-from vad.strokes.travel import TravelKind
-from vad.strokes.travels import travels
+from vad.strokes.travel import Travel, TravelKind
 
 #: Seconds in which each kind of stroke grows.  A vector takes as long if it is the longest one of
 #: its panel.
@@ -118,12 +117,13 @@ def _length(stroke: Stroke) -> float:
     return abs(shape.end - shape.start) if isinstance(shape, Arrow) else 0.0
 
 
-def times(sheet: Sheet, loop: int, plain: bool = False) -> Iterator[Times]:
+def times(sheet: Sheet, loop: int, travels: Mapping[str, Travel] | None) -> Iterator[Times]:
     """Yield the times of all strokes of a sheet, as they are told.
 
-    Those before a loop are there already.  In a ``plain`` film nothing flies.
+    Those before a loop are there already.  Some of them draw what ``travels``; None where nothing
+    flies.
     """
-    flown = {} if plain else flights(sheet)
+    flown = {} if travels is None else flights(sheet, travels)
     found = {half.name: list(_times_of(half, loop, flown)) for half in sheet.halves}
     scenes = scene_numbers(sheet)
     for each, scene, after in zip(telling(sheet), scenes, [*scenes[1:], *scenes[-1:]], strict=True):
@@ -138,9 +138,9 @@ def _moving(own: Times) -> Times:
     return replace(own, hold=min(rest, own.hold), glide=GLIDE, settle=SETTLE)
 
 
-def flights(sheet: Sheet) -> dict[str, float]:
-    """Return how long what travels with a stroke flies, by the full name of the stroke."""
-    found = {name: sum(PHASES[travel.kind]) for name, travel in travels(sheet).items()}
+def flights(sheet: Sheet, travels: Mapping[str, Travel]) -> dict[str, float]:
+    """Return how long what ``travels`` with a stroke flies, by the full name of the stroke."""
+    found = {name: sum(PHASES[travel.kind]) for name, travel in travels.items()}
     for turned in (each for half in sheet.halves for each in half.turned):
         for panel in (half for half in sheet.halves if half.name == turned.panel):
             found[panel.full(panel.strokes[-1].name)] = FLIGHT

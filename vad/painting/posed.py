@@ -109,10 +109,10 @@ def posed(
 def board_of(lesson: Lesson) -> Stage | Plan:
     """Return the board on which a lesson is drawn: a stage, if it has several panels."""
     key = load_style(lesson.style).key
-    form, flights = screen(lesson.size), not lesson.plain
+    form = screen(lesson.size)
     if is_staged(lesson.sheet):
-        return Stage(lesson.sheet, form, key, flights)
-    return plan(lesson.sheet, form, key, lesson=True, flights=flights)
+        return Stage(lesson.sheet, form, key, lesson.travels)
+    return plan(lesson.sheet, form, key, lesson=True, travels=lesson.travels)
 
 
 def picture(

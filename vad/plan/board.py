@@ -53,6 +53,7 @@ from vad.plan.scale import Scale, is_tall
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Panel, Sheet
 from vad.strokes.telling import telling
+from vad.strokes.travel import Travel
 
 #: The shares at which strokes that move while they grow are measured, to find how far they reach.
 SHARES = [part / 8 for part in range(9)]
@@ -132,7 +133,7 @@ def plan(
     lines: int | None = None,
     scales: Mapping[str, Scale] = MappingProxyType({}),
     words: bool = True,
-    flights: bool = False,
+    travels: Mapping[str, Travel] | None = None,
 ) -> Plan:
     """Return the plan of a sheet.
 
@@ -152,8 +153,8 @@ def plan(
         Of the panels that do not fill their room.
     words
         False if the words around the pictures are written elsewhere: in a page of HTML.
-    flights
-        Whether vectors and figures fly from panel to panel: in a film.
+    travels
+        What flies from panel to panel in a film; None where nothing does.
     """
     if lines is None:
         lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
@@ -162,7 +163,7 @@ def plan(
     for panel in sheet.panels:
         sketches |= column(sheet, panel, page.panels[panel.name].drawing, form, scales)
     regions = regions_of(page)
-    items = list(pictures(sketches, regions[FLIGHT] if flights else None))
+    items = list(pictures(sketches, regions[FLIGHT], travels))
     if words:
         items += [
             Item("", TITLE, Level.GROUND, tuple(title_marks(sheet, page))),
@@ -201,18 +202,21 @@ def column(
     return sketches
 
 
-def pictures(sketches: Mapping[str, Sketch], page: Rect | None = None) -> Iterator[Item]:
+def pictures(
+    sketches: Mapping[str, Sketch], page: Rect, travels: Mapping[str, Travel] | None = None
+) -> Iterator[Item]:
     """Yield the items of all panels: what each holds, and what one shows of another.
 
-    Over a ``page`` vectors and figures fly from panel to panel; without one nothing leaves a panel.
+    In a film some of it ``travels`` over the ``page`` from panel to panel; without that nothing
+    leaves a panel.
     """
     drawn = found_later((item for each in sketches.values() for item in each.items), sketches)
-    yield from travelling(drawn, sketches, page) if page else drawn
+    yield from drawn if travels is None else travelling(drawn, sketches, travels, page)
     yield from found_senses(sketches)
     yield from senses_in_views(sketches)
     yield from lights(sketches)
     yield from folds(sketches)
-    yield from turned_polygons(sketches, flights=page is not None)
+    yield from turned_polygons(sketches, flights=travels is not None)
 
 
 def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:

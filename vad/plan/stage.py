@@ -31,6 +31,7 @@ from vad.plan.reach import corners
 from vad.plan.scene_layout import SceneLayout, lay_out_scene
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Panel, Sheet
+from vad.strokes.travel import Travel
 
 #: The regions in which panels move: between scenes above the caption, at last on the whole page.
 MOVING, LAST_MOVE = "moving", "last move"
@@ -53,9 +54,14 @@ class Stage:
         The parts of the page that change on their own, those of all scenes, in painting order.
     """
 
-    def __init__(self, sheet: Sheet, form: Format, key: float, flights: bool = False) -> None:
-        self.sheet, self.form, self._key = sheet, form, key
-        self._flown = Rect(0.0, 0.0, form.width, form.height) if flights else None
+    def __init__(
+        self,
+        sheet: Sheet,
+        form: Format,
+        key: float,
+        travels: Mapping[str, Travel] | None = None,
+    ) -> None:
+        self.sheet, self.form, self._key, self._travels = sheet, form, key, travels
         self._names = scenes(sheet)
         lines = caption_lines(sheet, form.width - 2 * MARGIN)
         shapes = {panel.name: _shape(panel) for panel in sheet.panels}
@@ -130,13 +136,13 @@ class Stage:
         sketches: dict[str, Sketch] = {}
         for panel in sheet.panels:
             sketches |= self._placed(panel, page.panels[panel.name].drawing, layout)
-        drawn = list(pictures(sketches, self._flown))
+        drawn = list(pictures(sketches, layout.regions[FLIGHT], self._travels))
         own = [item for item in drawn if item.region == large.name]
         factor, shift = _fitted(own, page.panels[large.name].drawing)
         if (factor, shift) != (1.0, 0j):
             for half in large.halves:
                 sketches[half.name] = sketches[half.name].mapped(factor, shift)
-            drawn = list(pictures(sketches, self._flown))
+            drawn = list(pictures(sketches, layout.regions[FLIGHT], self._travels))
         items = [
             *drawn,
             *self._heads(layout, sketches),

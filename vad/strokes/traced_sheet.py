@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.motion import Motion, MotionInSpace
 from vad.kinematics.program import Program, needed
-from vad.kinematics.reach import travels
+from vad.kinematics.reach import slide_travels
 from vad.kinematics.recording import Recorded
 from vad.kinematics.solver import Solver
 from vad.kinematics.traced import Guard, Traced, TracedTape, made_of
@@ -141,7 +141,7 @@ def traced_sheet(
     kind = Motion if isinstance(solver, Solver) else MotionInSpace
     motion = kind(traced.mechanism, solver, dict(traced.inputs))
     if solver.slides:
-        motion.travels = travels(mechanism)
+        motion.travels = slide_travels(mechanism)
     given = {**traced.inputs, **traced.sizes}
     _, forces = parted(with_forces(motion, burden))
     scene = scene_of(motion, Language(language), forces, **held(traced.inputs), pins=pins)

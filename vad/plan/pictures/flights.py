@@ -25,7 +25,6 @@ from vad.plan.sketch import Sketch
 from vad.strokes.shapes import Turned
 from vad.strokes.sheet import Arrow, Panel
 from vad.strokes.travel import Travel
-from vad.strokes.travels import travels
 
 #: A figure that is more often as large as its polygon, or as small, is not on the same page.
 MOST = 1e3
@@ -113,12 +112,16 @@ def turning(polygon: Sketch, turned: Turned) -> Turning:
 # --- vectors and images of links ------------------------------------------------------------------
 
 
-def travelling(items: Iterable[Item], sketches: Mapping[str, Sketch], page: Rect) -> list[Item]:
+def travelling(
+    items: Iterable[Item],
+    sketches: Mapping[str, Sketch],
+    travels: Mapping[str, Travel],
+    page: Rect,
+) -> list[Item]:
     """Return the items of all panels with what flies, which shows in its panel when it has landed.
 
     ``items`` are those that a pencil would draw.
     """
-    sheet = next(iter(sketches.values())).setting.sheet
     rooms = [sketch.setting.room for sketch in sketches.values()]
     air = Rect(
         min(room.left for room in rooms),
@@ -127,7 +130,7 @@ def travelling(items: Iterable[Item], sketches: Mapping[str, Sketch], page: Rect
         max(room.top for room in rooms),
     )
     edges = page.inside(EDGE), air
-    flights = (Flight.of(name, travel, sketches, edges) for name, travel in travels(sheet).items())
+    flights = (Flight.of(name, travel, sketches, edges) for name, travel in travels.items())
     own = {flight.stroke: flight for flight in flights if flight}
     found: list[Item] = []
     for item in items:
