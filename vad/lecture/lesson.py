@@ -40,6 +40,8 @@ class LessonStep:
     ``beats`` frames the second beat of its caption is said, then the third.  A stroke that is
     ``there`` is not drawn: it is on the board when its panel begins.  The ``chapter`` is the panel
     with which it is told.  Where a vector flies, a ``pencil`` would draw it in so many frames.
+    While it rests, ``sent`` says, an ω or α that it finds flies to its link: from which frame of
+    the step on, and for how many.
     """
 
     panel: Panel
@@ -53,6 +55,7 @@ class LessonStep:
     chapter: str = field(default="", kw_only=True)
     scene: int = field(default=0, kw_only=True)
     pencil: int = field(default=0, kw_only=True)
+    sent: tuple[int, int] = field(default=(0, 0), kw_only=True)
 
     @property
     def frames(self) -> int:
@@ -215,6 +218,7 @@ def animate(
         more: dict[str, Any] = {"beats": beats, "there": each.there}
         more |= {"chapter": chapter, "scene": scene}
         more["pencil"] = round((clock + each.pencil) * fps) - ends[0]
+        more["sent"] = tuple(round(seconds * fps) for seconds in each.rate)
         steps.append(LessonStep(panel, index, *lasts, **more))
         clock = clocks[-1]
     said = answer(sheet)

@@ -1,8 +1,9 @@
 """What is on the board at a frame, counted in beats.
 
 Beat 2k is the board with k strokes done, at rest; beat 2k + 1 is the stroke after them being drawn,
-and after the last of them the finished board.  The `Moment` objects of a lesson are what every
-painter follows.
+and after the last of them the finished board.  While the board rests, an ω or α that the last
+stroke has found may fly to its link.  The `Moment` objects of a lesson are what every painter
+follows.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from itertools import chain, pairwise
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from vad.lecture.lesson import Lesson
+    from vad.lecture.lesson import Lesson, LessonStep
 
 
 #: More beats than any caption has, and none: the caption is not there.
@@ -42,7 +43,8 @@ class Moment:
     beat
         Which strokes are there.
     share
-        How much of the beat's stroke is drawn: 1 at rest.
+        How much of the beat's stroke is drawn.  At rest, how much of the way is behind a rate that
+        flies to its link: 0 before, 1 after it, and where none flies.
     scene
         Which panel is large on a stage (`vad.lecture.scenes`): the number of its scene, from 0.
         Between two scenes, while the panels move, it is between their numbers.  After the last
@@ -86,13 +88,25 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
             for share, repeats in _shares_of_movement(step.grow, pace)
         )
         over = Moment(done(number + 1), scene=step.scene)
-        rests = [(over, step.hold)] if step.hold else []
-        yield from _said(chain(grown, rests), step.beats)
+        yield from _said(chain(grown, _rests(step, over, pace)), step.beats)
         yield from _moved(over, step.glide, step.settle, pace)
     last = Moment(finished(len(lesson.steps)), scene=lesson.steps[-1].scene if lesson.steps else 0)
     if stands := lesson.closing - lesson.glide - lesson.settle:
         yield last, stands
     yield from _moved(last, lesson.glide, lesson.settle, pace)
+
+
+def _rests(step: LessonStep, over: Moment, pace: float) -> Iterator[tuple[Moment, int]]:
+    """Yield how the board rests after a stroke, while what it has found may fly to its link."""
+    begins, flies = step.sent
+    waits = min(max(begins - step.grow, 0), step.hold) if flies else 0
+    flies = min(flies, step.hold - waits)
+    if waits:
+        yield replace(over, share=0.0), waits
+    for share, repeats in _shares_of_movement(flies, pace):
+        yield replace(over, share=smooth(share)), repeats
+    if left := step.hold - waits - flies:
+        yield over, left
 
 
 def _moved(state: Moment, glide: int, settle: int, pace: float) -> Iterator[tuple[Moment, int]]:

@@ -9,13 +9,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from vad.errors import UsageError
-from vad.lecture.scenes import scene_numbers
+from vad.lecture.scenes import is_staged, scene_numbers
 from vad.lecture.script import Script, step_number
 from vad.lecture.telling import reading, share_caption, starts, told, told_together
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
 from vad.strokes.telling import telling
 from vad.strokes.travel import Travel, TravelKind
+from vad.strokes.travels import found_rates
 
 #: Seconds in which each kind of stroke grows.  A vector takes as long if it is the longest one of
 #: its panel.
@@ -48,6 +49,9 @@ GLIDE = 1.0  # the panels of a stage, as they move to their places in the next s
 SETTLE = 0.2
 #: The least rest before a move, in which a caption is read on, and after the last beat of it.
 BEFORE_MOVE, AFTER_BEAT = 0.3, 0.8
+#: A found ω or α leaves its caption when its number has stood there for a moment, flies to its link
+#: and bends to an arrow.  Where a scene ends soon, it flies faster.
+READ, RATE, LEAST_RATE, AFTER_RATE = 0.3, 1.6, 0.8, 0.2
 SHEET = 1.0  # the whole sheet, at the end
 OPENING = 0.5
 CLOSING = 4.0
@@ -60,7 +64,8 @@ class Times:
     """The seconds of one stroke: it grows and rests; panels glide to the next scene, and settle.
 
     ``beats`` are the seconds after which the second beat of its caption begins, and the third.  A
-    ``pencil`` would take so many seconds of a flight.
+    ``pencil`` would take so many seconds of a flight.  One that finds an ω or α
+    ``sends`` it to its link.  ``speed`` is that of the film.
     """
 
     grow: float
@@ -70,6 +75,21 @@ class Times:
     beats: tuple[float, ...] = ()
     there: bool = False
     pencil: float = 0.0
+    sends: bool = False
+    speed: float = 1.0
+
+    @property
+    def rate(self) -> tuple[float, float]:
+        """When a rate that it finds begins to fly to its link, and for how long: 0 if it is none.
+
+        It is in seconds from the stroke's beginning.
+        """
+        if not self.sends or not self.beats:
+            return 0.0, 0.0
+        begins = max(self.beats[-1] + READ / self.speed, self.grow)
+        free = self.grow + self.hold - AFTER_RATE / self.speed - begins
+        enough = free * self.speed >= LEAST_RATE - 1e-9
+        return (begins, min(RATE / self.speed, free)) if enough else (0.0, 0.0)
 
     @property
     def all(self) -> float:
@@ -91,6 +111,7 @@ class Times:
             glide=self.glide / speed,
             settle=self.settle / speed,
             pencil=self.pencil / speed,
+            speed=speed,
             beats=tuple(beat / speed for beat in self.beats),
         )
 
@@ -124,16 +145,20 @@ def times(sheet: Sheet, loop: int, travels: Mapping[str, Travel] | None) -> Iter
     flies.
     """
     flown = {} if travels is None else flights(sheet, travels)
+    rates = frozenset() if travels is None or not is_staged(sheet) else found_rates(sheet)
     found = {half.name: list(_times_of(half, loop, flown)) for half in sheet.halves}
     scenes = scene_numbers(sheet)
     for each, scene, after in zip(telling(sheet), scenes, [*scenes[1:], *scenes[-1:]], strict=True):
         own = found[each.half.name][each.number]
+        name = each.half.full(each.half.strokes[each.number].name)
+        own = replace(own, sends=name in rates)
         yield _moving(own) if scene != after else own
 
 
 def _moving(own: Times) -> Times:
     """Return the times of the last stroke of a scene, whose caption stands during the move, too."""
-    last = max(own.beats, default=0.0) + AFTER_BEAT * bool(own.beats)
+    after = READ + LEAST_RATE + AFTER_RATE if own.sends else AFTER_BEAT
+    last = max(own.beats, default=0.0) + after * bool(own.beats)
     rest = max(own.hold - GLIDE - SETTLE, BEFORE_MOVE, last - own.grow)
     return replace(own, hold=min(rest, own.hold), glide=GLIDE, settle=SETTLE)
 

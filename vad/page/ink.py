@@ -31,7 +31,7 @@ from vad.plan.board import Plan
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Level, Span
-from vad.plan.marks import Bow, Fading, Flying, Mark, Scaling, Sliding, Trimming, Turning
+from vad.plan.marks import Bending, Bow, Fading, Flying, Mark, Scaling, Sliding, Trimming, Turning
 
 
 class Inker:
@@ -130,7 +130,7 @@ def grown(mark: Mark, grid: Grid) -> list[Any]:
             return ["swing", _knots(knots), *_at(centre, grid), _clockwise(axis)]
         case Fading(knots):
             return ["fade", _knots(knots)]
-        case Flying() | None:  # nothing leaves a panel of a page
+        case Flying() | Bending() | None:  # nothing leaves a panel of a page
             raise TypeError("the mark does not grow within its panel")
 
 

@@ -163,7 +163,7 @@ def plan(
     for panel in sheet.panels:
         sketches |= column(sheet, panel, page.panels[panel.name].drawing, form, scales)
     regions = regions_of(page)
-    items = list(pictures(sketches, regions[FLIGHT], travels))
+    items = [*pictures(sketches, regions[FLIGHT], travels), *found_senses(sketches)]
     if words:
         items += [
             Item("", TITLE, Level.GROUND, tuple(title_marks(sheet, page))),
@@ -212,7 +212,6 @@ def pictures(
     """
     drawn = found_later((item for each in sketches.values() for item in each.items), sketches)
     yield from drawn if travels is None else travelling(drawn, sketches, travels, page)
-    yield from found_senses(sketches)
     yield from senses_in_views(sketches)
     yield from lights(sketches)
     yield from folds(sketches)

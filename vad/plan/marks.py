@@ -219,11 +219,7 @@ class Mark:
         """Return the mark when ``share`` of its stroke is drawn, None while nothing shows."""
         if self.growth is None:
             return self
-        if isinstance(self.growth, Trimming):
-            assert isinstance(self.shape, Polyline | Bow)
-            shape, alpha = self.growth.of(self.shape, share)
-        else:
-            shape, alpha = self.growth.of(self.shape, share)
+        shape, alpha = self.growth.of(self.shape, share)
         return replace(self, shape=shape, alpha=self.alpha * alpha) if shape else None
 
     def mapped(self, factor: float, shift: complex) -> Mark:
@@ -294,20 +290,13 @@ class Shape(Protocol):
         """Return the shape with every point z at ``turn * z + shift``."""
 
 
-class Line(Shape, Protocol):
-    """A shape with a first point and a length."""
-
-    def trimmed(self, share: float) -> Any:
-        """Return the first ``share`` of the length."""
-
-
 @dataclass(frozen=True, slots=True)
 class Trimming:
     """A line is drawn from its first point on: knots are (share, part of its length)."""
 
     knots: tuple[tuple[float, float], ...] = ((0.0, 0.0), (1.0, 1.0))
 
-    def of(self, shape: Line, share: float) -> Grown:
+    def of(self, shape: Any, share: float) -> Grown:
         """Return the part that is drawn."""
         part = between(self.knots, share).real
         return (shape.trimmed(part) if part > 0.0 else None), 1.0
@@ -381,13 +370,14 @@ class Leg(NamedTuple):
     offset: complex
     factor: float = 1.0
     degrees: float = 0.0
+    ink: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
 class Flying:
     """A mark flies into its place: it moves, and meanwhile turns and swells about ``centre``.
 
-    Offset, size and angle each are linear between the ``legs``: a single complex factor would pass
+    Offset, size, angle and ink are linear between the ``legs``: a single complex factor would pass
     through zero in a turn by 180°.  Of a vector, ``tip`` is the point of its head, which does not
     swell: every vertex but the one in the centre keeps its distance from the tip.  While the vector
     is shorter than ``full``, its head is smaller, too.
@@ -400,13 +390,11 @@ class Flying:
 
     def of(self, shape: Any, share: float) -> Grown:
         """Return the shape on its way."""
-        offset = between([(leg.share, leg.offset) for leg in self.legs], share)
-        factor = between([(leg.share, leg.factor) for leg in self.legs], share).real
-        degrees = between([(leg.share, leg.degrees) for leg in self.legs], share).real
+        _, offset, factor, degrees, ink = leg_at(self.legs, share)
         turn = cmath.rect(factor, math.radians(degrees))
         shift = self.centre * (1.0 - turn) + offset
         if self.tip is None:
-            return shape.mapped(turn, shift), 1.0
+            return shape.mapped(turn, shift) if ink else None, ink
         own, length = self.tip, factor * abs(self.tip - self.centre)
         size = min(1.0, length / self.full) if self.full else 1.0
         way = cmath.rect(size, math.radians(degrees))
@@ -415,13 +403,51 @@ class Flying:
         def place(z: complex) -> complex:
             return turn * z + shift if z == self.centre else tip + way * (z - own)
 
-        return shape.placed(place), 1.0
+        return shape.placed(place), ink
 
     def mapped(self, turn: complex, shift: complex) -> Flying:
         """Return how the shape's image flies; see `Shape.mapped`."""
         legs = (leg._replace(offset=turn * leg.offset) for leg in self.legs)
         tip = None if self.tip is None else turn * self.tip + shift
         return Flying(turn * self.centre + shift, tuple(legs), tip, abs(turn) * self.full)
+
+
+@dataclass(frozen=True, slots=True)
+class Bending:
+    """An arc flies into its place as a line, and bends there: a leg's factor says how far.
+
+    Its middle is as far from its place as the offset says, and its direction there as the angle.
+    """
+
+    legs: tuple[Leg, ...]
+
+    def of(self, shape: Any, share: float) -> Grown:
+        """Return the arc on its way."""
+        leg = leg_at(self.legs, share)
+        return bent(shape, leg) if leg.ink else None, leg.ink
+
+    def mapped(self, turn: complex, shift: complex) -> Bending:
+        """Return how the shape's image bends; see `Shape.mapped`."""
+        return Bending(tuple(leg._replace(offset=turn * leg.offset) for leg in self.legs))
+
+
+def bent(bow: Bow, leg: Leg) -> Bow:
+    """Return an arc as it is at a leg of its way: of the same length, bent by a factor."""
+    middle, radius = math.radians(bow.start + bow.sweep / 2), bow.radius / leg.factor
+    ray = cmath.rect(1.0, middle + math.radians(leg.degrees))
+    centre = bow.centre + cmath.rect(bow.radius, middle) + leg.offset - radius * ray
+    sweep = leg.factor * bow.sweep
+    start = math.degrees(middle) + leg.degrees - sweep / 2
+    return replace(bow, centre=centre, radius=radius, start=start, sweep=sweep)
+
+
+def leg_at(legs: Sequence[Leg], share: float) -> Leg:
+    """Return where a flying mark is at a share, linear between its legs."""
+    index = min(max(bisect_right(legs, share, key=lambda leg: leg.share), 1), len(legs) - 1)
+    one, other = legs[index - 1], legs[index]
+    part = min(max((share - one.share) / (other.share - one.share), 0.0), 1.0)
+    ways: Any = zip(one[1:], other[1:], strict=True)
+    return Leg(share, *(start + part * (end - start) for start, end in ways))
 
 
 @dataclass(frozen=True, slots=True)
@@ -432,14 +458,15 @@ class Fading:
 
     def of(self, shape: Shape, share: float) -> Grown:
         """Return the shape with as much ink as it has."""
-        return shape, between(self.knots, share).real
+        ink = between(self.knots, share).real
+        return shape if ink else None, ink
 
     def mapped(self, turn: complex, shift: complex) -> Fading:
         """Return how the shape's image comes out; see `Shape.mapped`."""
         return self
 
 
-Wandering = Sliding | Turning | Scaling | Flying
+Wandering = Sliding | Turning | Scaling | Flying | Bending
 Growth = Trimming | Fading | Wandering
 
 

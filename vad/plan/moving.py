@@ -31,6 +31,7 @@ class Move:
     @classmethod
     def between(cls, before: Sequence[Item], after: Sequence[Item], region: str) -> Move:
         """Return the move from one layout to another, which takes place in a region."""
+        before, after = ([_landed(item) for item in each] for each in (before, after))
         waiting: dict[object, list[Item]] = defaultdict(list)
         for item in after:
             waiting[_key(item)].append(item)
@@ -58,6 +59,13 @@ class Move:
             elif other and share > HALF:
                 found.append(replace(other, region=self.region, marks=_faded(other.marks, share)))
         return found
+
+
+def _landed(item: Item) -> Item:
+    """Return an item without what is gone when it has flown to its place."""
+    if not item.grows:
+        return item
+    return replace(item, marks=tuple(mark for mark in item.marks if mark.at(1.0)))
 
 
 def _key(item: Item) -> object:

@@ -24,9 +24,11 @@ from vad.plan.lettering.glyphs import fitted
 from vad.plan.lettering.runs import bold, roman
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.moving import Move
-from vad.plan.page.changing import caption_lines, captions
+from vad.plan.page.changing import caption_lines, captions, numbers_said
 from vad.plan.page.heads import head, pale, title_marks
 from vad.plan.page.work import in_work
+from vad.plan.pictures.senses import found_senses
+from vad.plan.pictures.sent import sent
 from vad.plan.reach import corners
 from vad.plan.scene_layout import SceneLayout, lay_out_scene
 from vad.plan.sketch import Sketch
@@ -69,6 +71,7 @@ class Stage:
         self._drawn: dict[tuple[str, float, float], dict[str, Sketch]] = {}
         self._made: dict[int, Plan] = {}
         self._moves: dict[tuple[int, int], Move] = {}
+        self._told: list[Item] = []
         first = self._layouts[0].regions
         low, top = first[CAPTION].top, first[TITLE].bottom
         self.regions: dict[str, Rect] = {TITLE: first[TITLE]}
@@ -107,7 +110,7 @@ class Stage:
             own = self._move(now, moment.beat).at(share)
         else:
             own = self.scene(now).shown(moment.beat)
-        said = [] if moment.scene > self.count - 1 else self._captions
+        said = [] if moment.scene > self.count - 1 else self._captions(self.scene(0).sketches)
         # Title and caption are the same in all scenes.
         shown = [*self._title, *own, *(each for each in said if _shows(each, moment.beat))]
         return sorted(shown, key=lambda item: item.region == FLIGHT)
@@ -143,10 +146,14 @@ class Stage:
             for half in large.halves:
                 sketches[half.name] = sketches[half.name].mapped(factor, shift)
             drawn = list(pictures(sketches, layout.regions[FLIGHT], self._travels))
+        senses = found_senses(sketches)
+        if self._travels is not None:
+            senses = sent(senses, numbers_said(sheet, self._captions(sketches)))
         items = [
             *drawn,
+            *senses,
             *self._heads(layout, sketches),
-            *in_work(sheet, large, sketches, layout.work, self._key),
+            *in_work(sheet, large, sketches, layout.work, self._key, self._travels is not None),
         ]
         regions = layout.regions
         ordered = _in_scene(in_painting_order(items, regions), number)
@@ -199,10 +206,12 @@ class Stage:
         marks = title_marks(self.sheet, self._layouts[0].page)
         return [Item("", TITLE, Level.GROUND, tuple(marks))]
 
-    @cached_property
-    def _captions(self) -> list[Item]:
-        sketches = self.scene(0).sketches
-        return list(captions(self.sheet, self._layouts[0].page, sketches, answer(self.sheet)))
+    def _captions(self, sketches: Mapping[str, Sketch]) -> list[Item]:
+        """Return the captions, which are the same in all scenes."""
+        if not self._told:
+            page = self._layouts[0].page
+            self._told = list(captions(self.sheet, page, sketches, answer(self.sheet)))
+        return self._told
 
 
 def _fitted(items: Sequence[Item], area: Rect) -> tuple[float, complex]:

@@ -1,8 +1,9 @@
-"""What travels in a film: vectors that come from a link, or from the velocity polygon.
+"""What travels in a film: vectors from a link or from the velocity polygon, and found ω and α.
 
 A component that is known is a link, or a velocity, that is turned, and stretched to the polygon's
 scale: ab is the crank AB turned by 90° in the sense of ω.  An image is the link itself.  Which
-vector comes from where follows from the strokes alone.
+vector comes from where follows from the strokes alone.  An ω or α that a polygon finds goes back
+to its link.
 """
 
 from __future__ import annotations
@@ -12,9 +13,10 @@ from collections.abc import Iterator, Mapping
 from vad.errors import InputError
 from vad.kinematics.linkage import points_of
 from vad.kinematics.symbol import is_symbolic
-from vad.strokes.diagram import ACCELERATION, VELOCITY
+from vad.strokes.diagram import ACCELERATION, VELOCITY, Order
+from vad.strokes.reveals import measurer
 from vad.strokes.scene import point_of
-from vad.strokes.sheet import Arrow, Dot, Panel, Plate, Sheet, Stroke
+from vad.strokes.sheet import Arrow, Cell, Dot, Panel, Plate, Row, Sheet, Stroke
 from vad.strokes.space.travels import may_be_shown, travels_in_space
 from vad.strokes.travel import Travel, TravelKind
 
@@ -39,6 +41,27 @@ def travels(sheet: Sheet) -> dict[str, Travel]:
     if mechanism is None:
         found.update(travels_in_space(sheet, pictures.get("views")))
     return {name: travel for name, travel in found.items() if _can(travel)}
+
+
+def found_rates(sheet: Sheet) -> frozenset[str]:
+    """Return the full names of the strokes that find ω or α of a link of the mechanism."""
+    if not any(panel.picture == "skeleton" for panel in sheet.panels):
+        return frozenset()
+    found = set()
+    for order in (VELOCITY, ACCELERATION):
+        for panel in (half for half in sheet.halves if half.name == order.panel):
+            for row in sheet.rows:
+                cell = turning(row, order)
+                by = measurer(sheet, panel, row) if cell and not cell.given else None
+                if by:
+                    found.add(by[0].full(by[1].name))
+    return frozenset(found)
+
+
+def turning(row: Row, order: Order) -> Cell | None:
+    """Return the cell of a row that states its ω, or its α; None for what slides."""
+    cells = row.cells.get(order.panel, ())
+    return cells[0] if cells and cells[0].unit == order.unit else None
 
 
 def _can(travel: Travel) -> bool:

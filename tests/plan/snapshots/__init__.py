@@ -20,6 +20,7 @@ from vad.plan.board import Plan, plan
 from vad.plan.format import screen
 from vad.plan.items import FOREVER, Item
 from vad.plan.marks import (
+    Bending,
     Bow,
     Disc,
     Fading,
@@ -153,6 +154,8 @@ def _growth(growth: Growth) -> str:
         case Flying(centre, legs):
             degrees, factor = legs[0].degrees, legs[0].factor
             return f"fly to {_points([centre])} from {degrees:.1f}° x{factor:.3f}"
+        case Bending(legs):
+            return f"bend from {legs[0].degrees:.1f}°"
         case Scaling(_, knots):
             return f"scale from {knots[0][1]:g}"
         case Fading(knots):

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import accumulate, pairwise
+from itertools import accumulate, pairwise, takewhile
 
 from vad.lecture.answer import answer
 from vad.lecture.moment import drawing, finished
@@ -180,6 +180,40 @@ def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
                         (setting.during(index), setting.over(index)),
                     )
                     yield Item(name, home, Level.GLOW, tuple(marks), *span)
+
+
+def numbers_said(sheet: Sheet, shown: Iterable[Item]) -> dict[str, tuple[Lettering, int]]:
+    """Return the results of calculations where they stand in their captions, with their units.
+
+    Parameters
+    ----------
+    sheet
+        What is said.
+    shown
+        The captions.
+
+    Returns
+    -------
+    dict
+        The results and the beats in which they are said, by the full names of their strokes.
+    """
+    found = {}
+    last = {item.stroke: item for item in shown if item.words[1] == item.words[0] + 1}
+    for half in sheet.halves:
+        for stroke in half.strokes:
+            *before, result = beats(stroke.said)
+            item, kinds = last.get(half.full(stroke.name)), [piece.kind for piece in result]
+            if item is None or not before or "figure" not in kinds:
+                continue
+            first = kinds.index("figure")
+            end = kinds.index("unit", first) + 1 if "unit" in kinds[first:] else first + 1
+            line = next(mark.shape for mark in item.marks if mark.alpha == 1.0)
+            assert isinstance(line, Lettering)
+            hidden = tuple(takewhile(lambda run: not run.shown, line.runs))
+            at = line.at + width(hidden, line.size) + width(said(result[:first]), line.size)
+            number = Lettering(said(result[first:end]), at, line.size)
+            found[half.full(stroke.name)] = number, item.words[0]
+    return found
 
 
 def caption_lines(sheet: Sheet, room: float) -> int:

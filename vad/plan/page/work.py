@@ -15,7 +15,7 @@ from vad.plan.items import FOREVER, Item, Level, Span
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.lettering.wrapping import wrap
-from vad.plan.marks import Lettering, Mark, line
+from vad.plan.marks import Fading, Lettering, Mark, line
 from vad.plan.page.changing import measuring
 from vad.plan.page.heads import REMARK_SIZE, Piece, pieces, type_width
 from vad.plan.page.quarter import NAME_GAP, Entries, figures
@@ -36,6 +36,8 @@ MOST = 5
 BETWEEN = 0.022  # name, cells
 TIGHT = 0.88  # of the type, for which two cells stand side by side
 SHORT_KEY = 0.7  # of the key's length
+#: At the end of a rate's flight its number comes in its row: shares of the flight, and of ink.
+ARRIVING = ((0.9, 0.0), (1.0, 1.0))
 #: The panel whose results another one needs.
 NEEDS = {ACCELERATION.panel: VELOCITY.panel}
 
@@ -87,13 +89,21 @@ def _last(half: Panel, equation: Equation) -> int:
 
 
 def in_work(
-    sheet: Sheet, panel: Panel, sketches: Mapping[str, Sketch], room: Rect, key: float
+    sheet: Sheet,
+    panel: Panel,
+    sketches: Mapping[str, Sketch],
+    room: Rect,
+    key: float,
+    flies: bool = False,
 ) -> Iterator[Item]:
-    """Yield what stands in ``room`` while a panel is drawn, each part until the next is begun."""
+    """Yield what stands in ``room`` while a panel is drawn, each part until the next is begun.
+
+    Where what is found ``flies`` to its link, it stands in its row when it is there.
+    """
     told = parts(panel)
     begun = [0, *(sketches[each.half.name].setting.during(each.first) for each in told[1:])]
     for part, span in zip(told, zip(begun, [*begun[1:], FOREVER], strict=True), strict=True):
-        yield from _Words(sheet, panel, sketches, room, SHORT_KEY * key, part, span).items()
+        yield from _Words(sheet, panel, sketches, room, SHORT_KEY * key, part, span, flies).items()
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,6 +117,7 @@ class _Words:
     key: float
     part: Part
     span: Span
+    flies: bool
 
     def items(self) -> Iterator[Item]:
         """Yield them from the top down, all of them smaller where they would not fit."""
@@ -270,7 +281,8 @@ class _Rows:
         """Yield a cell, in bold while its stroke has just measured it."""
         words, role, since = self._words, self._entries.role(each.cell), each.since
         if each.name:
-            new = Mark(Lettering(each.bold, at, size), role)
+            growth = Fading(ARRIVING) if words.flies else None
+            new = Mark(Lettering(each.bold, at, size), role, growth=growth)
             yield words.item(new, since=since, until=min(since + 1, until), name=each.name)
             since += 1
         mark = Mark(Lettering(each.text, at, size), role)

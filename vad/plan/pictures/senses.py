@@ -24,9 +24,10 @@ from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Lettering, Mark
 from vad.plan.pictures.angles import sense_arrow
 from vad.plan.sketch import Sketch
-from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY
+from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Order
 from vad.strokes.reveals import measurer
-from vad.strokes.sheet import Arrow, Cell, Row
+from vad.strokes.sheet import Arrow, Row
+from vad.strokes.travels import turning
 
 #: Radius and span of an arrow, the best first.
 SIZES = (
@@ -52,7 +53,6 @@ FARTHEST = 0.080
 STILL = 1e-9
 #: What lies so near the axis of a link belongs to it.
 _OWN = 0.004
-_UNITS = {order.panel: order.unit for order in (VELOCITY, ACCELERATION)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,10 +98,9 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
 def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
     """Return the arrows of a row: one where ω and α have the same sense, and two else."""
     signs: dict[float, list[tuple[str, str, int]]] = {}
-    for name, unit in _UNITS.items():
-        sketch = sketches.get(name)
-        cell = _turning(row.cells.get(name, ()), unit)
-        if not sketch or not cell or abs(cell.value) <= STILL * _largest(sketch, name):
+    for order in (VELOCITY, ACCELERATION):
+        sketch, cell = sketches.get(order.panel), turning(row, order)
+        if not sketch or not cell or abs(cell.value) <= STILL * _largest(sketch, order):
             continue
         setting = sketch.setting
         if cell.given:
@@ -125,13 +124,9 @@ def _shown(sketches: Mapping[str, Sketch]) -> set[str]:
     return {symbol for text in tags for symbol in text.split(", ")}
 
 
-def _turning(cells: Sequence[Cell], unit: str) -> Cell | None:
-    return cells[0] if cells and cells[0].unit == unit else None
-
-
-def _largest(sketch: Sketch, panel: str) -> float:
-    cells = (row.cells.get(panel, ()) for row in sketch.setting.sheet.rows)
-    return max((abs(each[0].value) for each in cells if _turning(each, _UNITS[panel])), default=0.0)
+def _largest(sketch: Sketch, order: Order) -> float:
+    cells = (turning(row, order) for row in sketch.setting.sheet.rows)
+    return max((abs(cell.value) for cell in cells if cell), default=0.0)
 
 
 def _bars(sketch: Sketch, row: Row) -> list[tuple[complex, complex]]:

@@ -1,0 +1,130 @@
+"""How a found ω or α goes to its link in a film: its number leaves the caption, and bends.
+
+A copy of the number flies from the caption to the link, with a straight arrow beneath it.  There
+the number fades, and the arrow bends to that of the sense of ω or α, which stays.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
+
+from vad.lecture.moment import smooth
+from vad.plan.items import FLIGHT, FOREVER, Item
+from vad.plan.lettering.glyphs import width
+from vad.plan.marks import (
+    Bending,
+    Bow,
+    Fading,
+    Flying,
+    Leg,
+    Lettering,
+    Mark,
+    Polygon,
+    bent,
+)
+
+#: When the number leaves, when it arrives, and when the arrow is bent: shares of the whole.
+LEAVES, ARRIVES, BENT = 0.06, 0.55, 0.92
+#: When the arrow below the number is there; when the number fades; when the name comes.
+ARROW, FADES, NAMED = (0.06, 0.25), (0.70, 0.90), (0.80, 0.95)
+#: How far the arrow is bent that looks straight.
+STRAIGHT = 0.05
+#: From the baseline of a number to the arrow below it, in its size, and how high it flies.
+BELOW, ARCH = 0.5, 0.10
+PARTS = 24
+
+
+def sent(senses: Iterable[Item], numbers: Mapping[str, tuple[Lettering, int]]) -> Iterator[Item]:
+    """Yield the senses of rates with their flights, which take place while their stroke rests.
+
+    Parameters
+    ----------
+    senses
+        Their items, as a still has them: an arrow with its name, or a further name beside it.
+    numbers
+        For the full name of a stroke the number in its caption that flies, and the beat in which it
+        is said.
+    """
+    for item in senses:
+        number = numbers.get(item.stroke)
+        if number is None:
+            yield item
+            continue
+        marks, said = tuple(_flying(item.marks, number[0])), (number[1], FOREVER)
+        yield Item(item.stroke, FLIGHT, item.level, marks, item.since, item.since + 1, said)
+        yield replace(item, since=item.since + 1)
+
+
+def _flying(marks: Iterable[Mark], number: Lettering) -> Iterator[Mark]:
+    """Yield the marks of a sense on their way, and the number that comes with them."""
+    *arrow, name = marks
+    goal = name.shape
+    assert isinstance(goal, Lettering)
+    yield replace(name, growth=Fading(((NAMED[0], 0.0), (NAMED[1], 1.0))))
+    size = goal.size / number.size
+    wide = width(number.runs, number.size)
+    # The middle of the number flies to that of the name.
+    start, end = number.at + wide / 2, goal.at + width(goal.runs, goal.size) / 2
+    way = [(share, _between(start, end, _part(share, LEAVES, ARRIVES))) for share in _shares()]
+    legs = [
+        Leg(
+            share,
+            spot - start,
+            1.0 + (size - 1.0) * _part(share, LEAVES, ARRIVES),
+            0.0,
+            1.0 - _part(share, *FADES),
+        )
+        for share, spot in way
+    ]
+    yield Mark(number, "tag", name.row, Flying(start, tuple(legs)))
+    for mark in arrow:
+        if isinstance(mark.shape, Bow):
+            bow, own = mark.shape, list(_bending(mark.shape, way, number.size, goal.size))
+            yield replace(mark, growth=Bending(tuple(own)))
+        elif isinstance(mark.shape, Polygon):
+            yield replace(mark, growth=_at_end(bow, own))
+
+
+def _bending(
+    bow: Bow, way: Iterable[tuple[float, complex]], first: float, last: float
+) -> Iterator[Leg]:
+    """Yield how an arrow flies below a number, of a first and a last size, and bends at last."""
+    middle = bow.start + bow.sweep / 2
+    place = bow.centre + cmath.rect(bow.radius, math.radians(middle))
+    level = math.remainder(-(middle + math.copysign(90.0, bow.sweep)), 360.0)
+    for share, spot in way:
+        flown, done = _part(share, LEAVES, ARRIVES), _part(share, ARRIVES, BENT)
+        below = spot - 1j * BELOW * (first + (last - first) * flown) - place
+        factor = STRAIGHT + (1.0 - STRAIGHT) * done
+        yield Leg(share, (1.0 - done) * below, factor, (1.0 - done) * level, _part(share, *ARROW))
+
+
+def _at_end(bow: Bow, legs: Iterable[Leg]) -> Flying:
+    """Return how the head of an arrow stays at the end of its arc."""
+
+    def end(arc: Bow) -> complex:
+        return arc.centre + cmath.rect(arc.radius, math.radians(arc.start + arc.sweep))
+
+    found = []
+    for leg in legs:
+        arc = bent(bow, leg)
+        turned = arc.start + arc.sweep - bow.start - bow.sweep
+        found.append(Leg(leg.share, end(arc) - end(bow), 1.0, turned, leg.ink))
+    return Flying(end(bow), tuple(found))
+
+
+def _shares() -> Iterator[float]:
+    return (part / PARTS for part in range(PARTS + 1))
+
+
+def _part(share: float, start: float, end: float) -> float:
+    """Return how much of what takes place between two shares is done."""
+    return smooth(min(max((share - start) / (end - start), 0.0), 1.0))
+
+
+def _between(start: complex, end: complex, part: float) -> complex:
+    """Return a place on a flat arch."""
+    return start + part * (end - start) + 4.0 * part * (1.0 - part) * ARCH * 1j * abs(end - start)
