@@ -16,6 +16,7 @@ from vad.lecture.pace import (
     AFTER_FLIGHT,
     CLOSING,
     GLIDE,
+    LANDED,
     LEAST_REST,
     OPENING,
     PHASES,
@@ -132,7 +133,7 @@ def test_a_flight_takes_its_time_and_the_film_is_no_longer(name: str):
     assert found
     for step, drawn in zip(film.steps, plain.steps, strict=True):
         travel = found.get(step.panel.full(step.stroke.name))
-        seconds = sum(PHASES[travel.kind]) if travel else drawn.grow / 240
+        seconds = sum(PHASES[travel.kind]) + LANDED if travel else drawn.grow / 240
         assert step.grow / 240 == pytest.approx(seconds, abs=0.01)
         assert step.hold / 240 >= (AFTER_FLIGHT - 0.01 if travel else 0.0)
         assert step.pencil == pytest.approx(drawn.grow, abs=1)

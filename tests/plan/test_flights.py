@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 import vad
@@ -11,12 +12,14 @@ from tests.plan.overlaps import KEY
 from tests.statics.machines import MACHINES
 from tests.statics.test_equilibrium import pose
 from vad.lecture.moment import smooth
-from vad.lecture.pace import PHASES
+from vad.lecture.pace import LANDED, PHASES
 from vad.page.parts import page_plan
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.items import FLIGHT
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
+from vad.plan.pictures.flights import ARCH, Flight
+from vad.plan.pictures.traces import crossings, strokes_at
 from vad.plan.stage import Stage
 from vad.strokes.sheet import Arrow
 from vad.strokes.travels import travels
@@ -242,6 +245,59 @@ def test_on_a_stage_vectors_leave_the_small_pictures(size):
     assert not flights(Stage(sheet, screen(size), KEY).scene(2))
 
 
+@pytest.mark.parametrize("name", ["slider-crank", "whitworth with ram"])
+def test_a_dotted_path_shows_the_way_and_only_coriolis_docks_in_a_ring(name):
+    board = filmed(moving(name)[1])
+    for travel, item, marks in shafts(board):
+        roles = [mark.role for mark in item.marks]
+        assert roles.count("flight") == 1
+        assert roles.count("ring") == (travel.kind == "coriolis")
+        (way,) = (mark for mark in item.marks if mark.role == "flight")
+        assert way.at(0.0) is None and way.at(1.0) is None
+        scale = board.sketches[item.stroke.partition(":")[0]].scale
+        goal = scale(travel.end if travel.kind == "coriolis" else travel.start)
+        assert way.shape.pieces[0][-1] == pytest.approx(goal)
+        for ring in (mark.shape for mark in item.marks if mark.role == "ring"):
+            assert ring.centre == pytest.approx(goal)
+        # Where it has landed, its traces are still there; at the end they are gone.
+        shares = [share for share in (s / 400 for s in range(401)) if way.at(share)]
+        shaft = next(mark for mark in marks if mark.role in ("vector", "whole", "plate"))
+        landed = next(s for s in shares if shaft.at(s).shape == shaft.at(1.0).shape)
+        assert shares[0] < landed < 1.0
+        still = [mark for mark in item.marks if not isinstance(mark.growth, Flying)]
+        assert all(mark.at(landed - 0.01) for mark in still)
+        assert not any(mark.at(1.0) for mark in still)
+
+
+def test_a_flight_bends_to_the_side_on_which_it_crosses_less():
+    fence = np.array([[0.9 + 0.02j, 0.9 + 9j], [1.2 - 0.02j, 1.2 - 0.03j]])
+    assert crossings((0j, 1 + 1j, 2 + 0j), fence) == 1
+    assert crossings((0j, 1 - 1j, 2 + 0j), fence) == 0
+    _, sheet = moving("slotted lever with ram")
+    board, found = filmed(sheet), 0
+    own = {
+        name: Flight.of(name, t, board.sketches, 2 * (board.regions[FLIGHT],))
+        for name, t in travels(sheet).items()
+    }
+    for _, item, _ in shafts(board):
+        flight = own[item.stroke]
+        strokes = strokes_at(board.sketches.values(), flight.span)
+        centre = next(m.growth.centre for m in item.marks if isinstance(m.growth, Flying))
+        sides = [list(flight.legs(centre, side)) for side in (ARCH, -ARCH)]
+        met = [sum(crossings(p, strokes) for p in flight.paths(centre, each)) for each in sides]
+        (way,) = (mark for mark in item.marks if mark.role == "flight")
+        docks = flight.travel.kind == "coriolis"
+        taken = [flight.paths(centre, each)[docks] for each in sides]
+        distance = [
+            max(abs(a - b) for a, b in zip(way.shape.pieces[0], each, strict=True))
+            for each in taken
+        ]
+        if met[0] != met[1]:
+            found += 1
+            assert distance[met.index(min(met))] < distance[met.index(max(met))]
+    assert found
+
+
 def test_a_vector_shows_in_its_panel_when_it_has_landed():
     _, sheet = moving("slider-crank")
     board = filmed(sheet)
@@ -262,7 +318,7 @@ def test_the_vector_of_the_crank_turns_about_its_pin():
     (shaft,) = (m for m in item.marks if m.role == "vector" and isinstance(m.growth, Flying))
     lift, turn, stretch, fly = PHASES["tangential"]
     for seconds in (lift, lift + turn / 2, lift + turn):
-        share = smooth(seconds / (lift + turn + stretch + fly))
+        share = smooth(seconds / (lift + turn + stretch + fly + LANDED))
         assert ends(shaft, share)[0] == pytest.approx(pin)
 
 

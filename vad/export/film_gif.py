@@ -21,7 +21,7 @@ from vad.painting.film import EMPTY, Box, Frame, union
 Bytes = NDArray[np.uint8]
 
 #: The most pictures per second of a movement in a lesson; each of them takes about a kilobyte.
-MOST = 7.5
+MOST = 7.0
 #: Many players show a picture for a tenth of a second if its delay is below 2 hundredths.
 _SHORTEST = 2
 #: In a turn everything moves at once.  A picture stands at least so many hundredths of a second,

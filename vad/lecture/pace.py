@@ -42,7 +42,8 @@ PHASES: dict[TravelKind, tuple[float, ...]] = {
     "turned": (0.6, 1.2, 0.8, 1.2),
     "image": (1.0, 0.6, 1.0),
 }
-AFTER_FLIGHT = 0.6
+#: Seconds in which the traces of a flight fade when it has landed, and a rest.
+LANDED, AFTER_FLIGHT = 0.3, 0.3
 SHORT = 0.75  # share of that time for a vector of length zero
 LEAST_REST = 0.5  # after a caption, and before the next one
 GLIDE = 1.0  # the panels of a stage, as they move to their places in the next scene
@@ -165,7 +166,7 @@ def _moving(own: Times) -> Times:
 
 def flights(sheet: Sheet, travels: Mapping[str, Travel]) -> dict[str, float]:
     """Return how long what ``travels`` with a stroke flies, by the full name of the stroke."""
-    found = {name: sum(PHASES[travel.kind]) for name, travel in travels.items()}
+    found = {name: sum(PHASES[travel.kind]) + LANDED for name, travel in travels.items()}
     for turned in (each for half in sheet.halves for each in half.turned):
         for panel in (half for half in sheet.halves if half.name == turned.panel):
             found[panel.full(panel.strokes[-1].name)] = FLIGHT

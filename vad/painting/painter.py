@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Protocol
 
 from vad.lecture.moment import Moment
@@ -46,9 +47,8 @@ class Looks:
         look = self._known.get(key)
         if look is None:
             look = self._known[key] = self._style.look(*key)
-        if mark.alpha == 1.0:
-            return look
-        return Look(look.fill, look.pen, look.under, look.alpha * mark.alpha)
+        alpha = self._style.strength(mark.role, mark.alpha)
+        return look if alpha == 1.0 else replace(look, alpha=look.alpha * alpha)
 
 
 def play(board: Board, moment: Moment, style: Style, painter: Painter) -> None:

@@ -61,6 +61,10 @@ LIGHT = 3.4  # beneath a growing stroke, in its widths
 HALO = 0.009
 
 
+#: What a vector in flight leaves behind, and what that is where there are no colours.
+GHOSTS = {"ghost": "dashed ghost", "ghost head": "outlined ghost"}
+
+
 def _light(width: float) -> Role:
     return Role(line="row", width=LIGHT * width, alpha=0.20)
 
@@ -120,6 +124,12 @@ ROLES: dict[str, Role] = {
     "whole": Role(line="row", width=WHOLE, linked=True),
     "whole light": _light(WHOLE),
     "head": Role(fill="row"),
+    "ghost": Role(line="row", width=VECTOR, linked=True),
+    "ghost head": Role(fill="row"),
+    "dashed ghost": Role(line="grey", width=0.0024, dash=(4.0, 2.6)),
+    "outlined ghost": Role(line="grey", width=0.0020),
+    "flight": Role(line="grey", width=0.0034, dash=(0.1, 2.6), cap="round"),
+    "ring": Role(line="grey", width=0.0028),
     "dot": Role(fill="text", line="ground", width=DOT_RIM),
     "construction": Role(line="row", width=CONSTRUCTION, dash=(5.0, 3.2)),
     "construction light": _light(CONSTRUCTION),

@@ -11,7 +11,7 @@ from typing import Literal
 
 from vad.discovery import from_packages, names_in, one_of_all
 from vad.errors import InputError, quoted
-from vad.plan.roles import ROLES, Ink
+from vad.plan.roles import GHOSTS, ROLES, Ink
 
 #: The entry points under which other packages bring their styles.
 GROUP = "vad.styles"
@@ -102,9 +102,18 @@ class Style:
         line = self.lines[place % len(self.lines)]
         return LineStyle(THINNER * line.weight, line.dash or DASH) if again else line
 
+    @property
+    def is_plain(self) -> bool:
+        """Whether it has one ink alone: pale ink would be taken for another grey."""
+        return len(self.inks) == 1
+
+    def strength(self, role: str, alpha: float) -> float:
+        """Return how much ink a mark has: ghosts are pale, or outlined where there is one ink."""
+        return 1.0 if self.is_plain and role in GHOSTS else alpha
+
     def look(self, role: str, row: int | None, width: float = 1.0) -> Look:
         """Return how a mark of a role looks, its line ``width`` times as wide as usual."""
-        part = ROLES[role]
+        part = ROLES[GHOSTS.get(role, role) if self.is_plain else role]
         fill = self.colour(part.fill, row) if part.fill else None
         under = Pen(self.background, part.halo, (), "round", "round") if part.halo else None
         if part.line is None:

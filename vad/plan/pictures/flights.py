@@ -15,10 +15,12 @@ from dataclasses import dataclass, replace
 from itertools import accumulate, pairwise
 
 from vad.lecture.moment import smooth
-from vad.lecture.pace import PHASES
+from vad.lecture.pace import LANDED, PHASES
 from vad.plan.geometry import Rect, direction_of
-from vad.plan.items import FLIGHT, Item, Level
-from vad.plan.marks import Fading, Flying, Growth, Leg, Mark, Polygon, Polyline, Turning, line
+from vad.plan.items import FLIGHT, Item, Level, Span
+from vad.plan.labels.obstacles import Complexes
+from vad.plan.marks import Flying, Growth, Leg, Mark, Polygon, Polyline, Turning, line
+from vad.plan.pictures.traces import crossings, ghosts, path, ring, strokes_at
 from vad.plan.pictures.vectors import HEAD_SHARE
 from vad.plan.reach import corners
 from vad.plan.sketch import Sketch
@@ -37,9 +39,7 @@ SEEN = 0.09
 #: So far from the edges of the page all that flies ends.
 EDGE = 0.01
 #: Into so many straight parts a phase is divided, which begins and ends gently.
-PARTS = 6
-#: How much ink the traces have that a flight leaves, and how long they take to fade, of the flight.
-GHOSTS, VANISHING = (0.20, 0.28, 0.36), 0.08
+PARTS = 10
 
 
 def turned_polygons(sketches: Mapping[str, Sketch], flights: bool) -> Iterator[Item]:
@@ -132,6 +132,7 @@ def travelling(
     edges = page.inside(EDGE), air
     flights = (Flight.of(name, travel, sketches, edges) for name, travel in travels.items())
     own = {flight.stroke: flight for flight in flights if flight}
+    strokes = {each: strokes_at(sketches.values(), flight.span) for each, flight in own.items()}
     found: list[Item] = []
     for item in items:
         flight = own.get(item.stroke)
@@ -140,7 +141,7 @@ def travelling(
             continue
         flies = [mark for mark in item.marks if flight.carries(mark, item)]
         if flies:
-            found.append(flight.item(flies))
+            found.append(flight.item(flies, strokes[flight.stroke]))
         found.append(flight.landed(item))
     return found
 
@@ -191,6 +192,11 @@ class Flight:
         return cls(stroke, travel, polygon, polygon.setting.during(index), index, source, *edges)
 
     @property
+    def span(self) -> Span:
+        """The beat of the flight, as a span."""
+        return self.during, self.during + 1
+
+    @property
     def is_vector(self) -> bool:
         """Whether a vector flies, and not the image of a link."""
         panel = self.polygon.setting.panel
@@ -209,9 +215,14 @@ class Flight:
         marks = tuple(replace(mark, growth=None) for mark in item.marks)
         return replace(item, since=self.during + 1, marks=marks)
 
-    def item(self, marks: Sequence[Mark]) -> Item:
-        """Return marks of the polygon on their way, with the traces that they leave."""
-        moving, traces, edges = [], [], []
+    def item(self, marks: Sequence[Mark], strokes: Complexes) -> Item:
+        """Return marks of the polygon on their way, with the traces that they leave.
+
+        They fly on the side on which they cross fewer of the ``strokes``.
+        """
+        moving: list[Mark] = []
+        traces: list[Mark] = []
+        edges: list[Mark] = []
         tip, full, centre = None, 0.0, self.polygon.scale(self.travel.start)
         for shape in (mark.shape for mark in marks):
             match shape:
@@ -223,41 +234,51 @@ class Flight:
                 case Polygon(rings):
                     edges.append(line((*rings[0], rings[0][0]), "whole", marks[0].row))
         full = min(full, abs(tip - centre)) if tip is not None else 0.0
-        flying = Flying(centre, tuple(self.legs(centre)), tip, full)
+        sides = [list(self.legs(centre, side)) for side in (ARCH, -ARCH)]
+        met = [sum(crossings(p, strokes) for p in self.paths(centre, legs)) for legs in sides]
+        legs = sides[met.index(min(met))]
+        flying = Flying(centre, tuple(legs), tip, full)
+        *before, landed = self.landmarks
         for mark in (*marks, *edges):
             moved = replace(mark, growth=flying, hangs=None)
             moving.append(moved)
-            for ink, share in zip(GHOSTS, self.landmarks, strict=False):
-                still = moved.at(share)
-                assert still is not None
-                shown = (share, 0.0), (share + 1e-9, ink), (1.0 - VANISHING, ink), (1.0, 0.0)
-                traces.append(replace(still, growth=Fading(shown)))
-        marks = (*traces, *moving)
-        return Item(self.stroke, FLIGHT, Level.STROKE, marks, self.during, self.during + 1)
+            traces += ghosts(moved, before, landed)
+        docks = self.travel.kind == "coriolis"
+        traces.append(path(self.paths(centre, legs)[docks], before[-1], landed))
+        if docks:
+            traces.append(ring(self.polygon.scale(self.travel.end), before[-1], landed))
+        return Item(self.stroke, FLIGHT, Level.STROKE, (*traces, *moving), *self.span)
 
     @property
     def landmarks(self) -> list[float]:
-        """The shares of the flight at which its phases end, but the last."""
+        """The shares of the flight at which its phases end."""
         seconds = PHASES[self.travel.kind]
-        ends = accumulate(seconds)
-        return [smooth(end / sum(seconds)) for end in ends][:-1]
+        return [smooth(end / (sum(seconds) + LANDED)) for end in accumulate(seconds)]
 
-    def legs(self, centre: complex) -> Iterator[Leg]:
-        """Yield how a point of the polygon, about which all is turned, flies from its source."""
+    def paths(self, centre: complex, legs: Sequence[Leg]) -> tuple[list[complex], list[complex]]:
+        """Return the ways of tail and head in the last phase."""
+        ends = [self.ends(centre, leg) for leg in legs[-PARTS - 1 :]]
+        return [tail for tail, _ in ends], [head for _, head in ends]
+
+    def legs(self, centre: complex, arch: float) -> Iterator[Leg]:
+        """Yield how a point of the polygon, about which all is turned, flies from its source.
+
+        In the last phase it rises by ``arch`` of its way to the left.
+        """
         *before, stretched, last = self.stops(centre)
         stops = [*before, self.within(self.air, centre, stretched), last]
         seconds = PHASES[self.travel.kind]
         ends = list(accumulate(seconds, initial=0.0))
         yield stops[0]
         for number, (one, other) in enumerate(pairwise(stops)):
-            high = ARCH * 1j * abs(other.offset - one.offset) if other is stops[-1] else 0j
+            high = arch * 1j * (other.offset - one.offset) if other is stops[-1] else 0j
             for part in range(1, PARTS + 1):
                 share = smooth(part / PARTS)
                 time = ends[number] + seconds[number] * part / PARTS
-                arch = 4.0 * share * (1.0 - share) * high
+                up = 4.0 * share * (1.0 - share) * high
                 leg = Leg(
-                    smooth(time / ends[-1]),
-                    one.offset + share * (other.offset - one.offset) + arch,
+                    smooth(time / (ends[-1] + LANDED)),
+                    one.offset + share * (other.offset - one.offset) + up,
                     one.factor + share * (other.factor - one.factor),
                     one.degrees + share * (other.degrees - one.degrees),
                 )
@@ -265,17 +286,22 @@ class Flight:
 
     def within(self, room: Rect, centre: complex, leg: Leg) -> Leg:
         """Return a leg at which the vector lies in a room, moved if need be."""
-        scale, turn = self.polygon.scale, cmath.rect(leg.factor, math.radians(leg.degrees))
-        ends = [
-            centre + turn * (scale(z) - centre) + leg.offset
-            for z in (self.travel.start, self.travel.end)
-        ]
+        ends = self.ends(centre, leg)
         xs, ys = [z.real for z in ends], [z.imag for z in ends]
         back = complex(
             max(room.left - min(xs), 0.0) + min(room.right - max(xs), 0.0),
             max(room.bottom - min(ys), 0.0) + min(room.top - max(ys), 0.0),
         )
         return leg._replace(offset=leg.offset + back)
+
+    def ends(self, centre: complex, leg: Leg) -> tuple[complex, complex]:
+        """Return tail and head at a leg."""
+        scale, turn = self.polygon.scale, cmath.rect(leg.factor, math.radians(leg.degrees))
+        tail, head = (
+            centre + turn * (scale(z) - centre) + leg.offset
+            for z in (self.travel.start, self.travel.end)
+        )
+        return tail, head
 
     def stops(self, centre: complex) -> list[Leg]:
         """Return where the flight begins, and where each of its phases ends.

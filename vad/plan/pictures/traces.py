@@ -1,0 +1,86 @@
+"""What shows the way of a flight: ghosts, a dotted path, and a ring where a head will dock.
+
+They are gone when the vector has landed.  The path bends to the side on which it crosses fewer
+strokes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from vad.plan.items import Span, together
+from vad.plan.labels.obstacles import Complexes
+from vad.plan.marks import Fading, Mark, Polygon, disc, line
+from vad.plan.roles import ROLES, VECTOR
+from vad.plan.sketch import Sketch
+
+#: How much ink ghosts have, one for each phase before the last.
+GHOSTS = (0.20, 0.28, 0.36)
+#: The radius of the ring in which a head docks.
+RING = 0.018
+#: At once, as a share of a flight.
+AT_ONCE = 1e-6
+Points = Sequence[complex]
+
+
+def ghosts(moving: Mark, shares: Iterable[float], landed: float) -> Iterator[Mark]:
+    """Yield the ghosts that a flying mark leaves at some shares, until it has ``landed``."""
+    width = moving.width * ROLES[moving.role].width / VECTOR
+    for ink, share in zip(GHOSTS, shares, strict=False):
+        still = moving.at(share)
+        assert still is not None
+        if isinstance(still.shape, Polygon):
+            role = "ghost head" if moving.role == "head" else moving.role
+            still = replace(still, role=role)
+        else:
+            still = replace(still, role="ghost", width=width)
+        yield replace(still, alpha=ink, growth=_seen(share, landed))
+
+
+def path(points: Points, share: float, landed: float) -> Mark:
+    """Return the dotted path on which the end of a vector flies from a share on."""
+    return line(points, "flight", growth=_seen(share, landed))
+
+
+def ring(at: complex, share: float, landed: float) -> Mark:
+    """Return the ring in which a head docks that flies from a share on."""
+    return disc(at, RING, "ring", growth=_seen(share, landed))
+
+
+def _seen(share: float, landed: float) -> Fading:
+    """Return the ink of what is there from a share on, and fades when something has landed."""
+    return Fading(((share, 0.0), (share + AT_ONCE, 1.0), (landed, 1.0), (1.0, 0.0)))
+
+
+def strokes_at(sketches: Iterable[Sketch], span: Span) -> Complexes:
+    """Return the ends of all strokes that show at some time in a span, shape (strokes, 2)."""
+    found = [
+        (start, end)
+        for sketch in sketches
+        for start, end, _, own in sketch.obstacles.lines
+        if start != end and together(own, span)
+    ]
+    return np.array(found, dtype=np.complex128).reshape(-1, 2)
+
+
+def crossings(points: Points, strokes: Complexes) -> int:
+    """Return how often a path crosses strokes.
+
+    Examples
+    --------
+    >>> crossings((0j, 2 + 0j), np.array([[1 - 1j, 1 + 1j], [3 - 1j, 3 + 1j]]))
+    1
+    """
+    first, last = strokes[:, 0], strokes[:, 1]
+    count = 0
+    for one, other in pairwise(points):
+        way = np.complex128(other - one)
+        sides = (way.conjugate() * (first - one)).imag * (way.conjugate() * (last - one)).imag
+        ways = (last - first).conjugate()
+        ends = (ways * (one - first)).imag * (ways * (other - first)).imag
+        count += int(np.count_nonzero((sides < 0.0) & (ends < 0.0)))
+    return count
