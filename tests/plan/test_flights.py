@@ -250,9 +250,9 @@ def test_a_dotted_path_shows_the_way_and_only_coriolis_docks_in_a_ring(name):
     board = filmed(moving(name)[1])
     for travel, item, marks in shafts(board):
         roles = [mark.role for mark in item.marks]
-        assert roles.count("flight") == 1
+        assert roles.count("flight path") == 1
         assert roles.count("ring") == (travel.kind == "coriolis")
-        (way,) = (mark for mark in item.marks if mark.role == "flight")
+        (way,) = (mark for mark in item.marks if mark.role == "flight path")
         assert way.at(0.0) is None and way.at(1.0) is None
         scale = board.sketches[item.stroke.partition(":")[0]].scale
         goal = scale(travel.end if travel.kind == "coriolis" else travel.start)
@@ -285,7 +285,7 @@ def test_a_flight_bends_to_the_side_on_which_it_crosses_less():
         centre = next(m.growth.centre for m in item.marks if isinstance(m.growth, Flying))
         sides = [list(flight.legs(centre, side)) for side in (ARCH, -ARCH)]
         met = [sum(crossings(p, strokes) for p in flight.paths(centre, each)) for each in sides]
-        (way,) = (mark for mark in item.marks if mark.role == "flight")
+        (way,) = (mark for mark in item.marks if mark.role == "flight path")
         docks = flight.travel.kind == "coriolis"
         taken = [flight.paths(centre, each)[docks] for each in sides]
         distance = [

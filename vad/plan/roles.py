@@ -128,7 +128,7 @@ ROLES: dict[str, Role] = {
     "ghost head": Role(fill="row"),
     "dashed ghost": Role(line="grey", width=0.0024, dash=(4.0, 2.6)),
     "outlined ghost": Role(line="grey", width=0.0020),
-    "flight": Role(line="grey", width=0.0034, dash=(0.1, 2.6), cap="round"),
+    "flight path": Role(line="grey", width=0.0034, dash=(0.1, 2.6), cap="round"),
     "ring": Role(line="grey", width=0.0028),
     "dot": Role(fill="text", line="ground", width=DOT_RIM),
     "construction": Role(line="row", width=CONSTRUCTION, dash=(5.0, 3.2)),

@@ -105,7 +105,8 @@ def test_a_bar_turns_in_the_view_along_its_axis(angle, omega, alpha):
 @pytest.mark.parametrize("name", SPACE)
 def test_vectors_leave_the_small_pictures_and_land_at_their_vertices(name, size):
     motion, found = drawn(name, *INPUTS[0])
-    stage = Stage(vad.draw(motion), screen(size), KEY, flights=True)
+    sheet = vad.draw(motion)
+    stage = Stage(sheet, screen(size), KEY, travels(sheet))
     landed = set()
     for number in (1, 2):
         scene = stage.scene(number)

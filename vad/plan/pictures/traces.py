@@ -43,7 +43,7 @@ def ghosts(moving: Mark, shares: Iterable[float], landed: float) -> Iterator[Mar
 
 def path(points: Points, share: float, landed: float) -> Mark:
     """Return the dotted path on which the end of a vector flies from a share on."""
-    return line(points, "flight", growth=_seen(share, landed))
+    return line(points, "flight path", growth=_seen(share, landed))
 
 
 def ring(at: complex, share: float, landed: float) -> Mark:
