@@ -91,6 +91,17 @@ def test_a_fault_in_a_file_is_named_with_its_line(tmp_path: Path):
         vad.animate(SHEET, script=file)
 
 
+def test_the_name_of_a_stroke_that_is_not_there_is_answered_with_those_that_are():
+    for step, hint in (
+        ("velocity:pool", "did you mean 'pole'?"),
+        ("velocity:xyz", "known: pole, AB.tangential, BC.line, "),
+        ("one", "as in 4 or velocity:4"),
+    ):
+        with pytest.raises(UsageError, match="not a step") as refusal:
+            vad.animate(SHEET, script={"captions": {step: "Words."}})
+        assert str(refusal.value.hint).startswith(hint)
+
+
 def test_a_marker_out_of_order_is_refused():
     markers = {"velocity:pole": 60, "acceleration:pole": 50}
     with pytest.raises(UsageError, match="marker: acceleration:pole at 50 s"):

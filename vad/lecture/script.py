@@ -165,7 +165,9 @@ def step_number(sheet: Sheet, step: int | str) -> int:
     where = f"the {panel} panel" if colon else "the lesson"
     place = _digits(number)
     if place is None:
-        raise UsageError(f"{quoted(step)} is not a step", hint="as in 4 or velocity:4")
+        mine = [named[each].rpartition(":")[2] for each in steps]
+        hint = unknown("step", number, mine).hint if colon else "as in 4 or velocity:4"
+        raise UsageError(f"{quoted(step)} is not a step", hint)
     if not 1 <= place <= len(steps):
         got = quoted(number).strip("'")
         raise UsageError(f"there is no step {got}: {where} has {len(steps)}, from 1 on")
