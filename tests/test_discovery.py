@@ -53,7 +53,7 @@ ENTRY_POINTS = """
 swing = far_away.swing:Swing
 lost = far_away.nothing
 [vad.languages]
-es = far_away.spanish
+xx = far_away.spanish
 [vad.styles]
 blueprint = far_away.blueprint:STYLE
 module = far_away.blueprint
@@ -133,7 +133,7 @@ def test_a_mechanism_a_style_and_a_language_of_another_package_in_one_picture(in
     listed = call(installed, "list").stdout
     assert "\nswing " in listed and "A crank moves a slider, as in any pump." in listed
     assert "\nlost " in listed and "cannot be loaded" in listed
-    words = ("swing", "--crank", "20", "--style", "blueprint", "--language", "es")
+    words = ("swing", "--crank", "20", "--style", "blueprint", "--language", "xx")
     done = call(installed, "draw", *words, "-o", "swing.svg")
     assert (done.returncode, done.stderr) == (0, "")
     drawn = (installed / "swing.svg").read_text("utf-8")
@@ -141,13 +141,13 @@ def test_a_mechanism_a_style_and_a_language_of_another_package_in_one_picture(in
     assert "Velocidad" in drawn
     assert "#103060" in drawn
     assert "measured" in drawn or "crosses" in drawn or "meet" in drawn  # the rest in English
-    done = call(installed, "draw", "four-bar", "--language", "ess", "-o", "a.svg")
-    assert "did you mean 'es'?" in done.stderr
+    done = call(installed, "draw", "four-bar", "--language", "xxx", "-o", "a.svg")
+    assert "did you mean 'xx'?" in done.stderr
 
 
 def test_a_class_s_sheets_may_be_of_another_package(installed):
     (installed / "sheets.csv").write_text(
-        "mechanism,crank,style,language,files\nswing,25,blueprint,es,key.svg\n"
+        "mechanism,crank,style,language,files\nswing,25,blueprint,xx,key.svg\n"
     )
     done = call(installed, "batch", "sheets.csv", "-o", "class")
     assert (done.returncode, done.stderr) == (0, "")
@@ -158,8 +158,8 @@ def test_the_window_offers_what_other_packages_bring(installed):
     code = (
         "import vad; from vad.gui.window import window;"
         "from vad.gui.messages import ExportQuestion;"
-        "print(window(ExportQuestion.of(vad.SliderCrank(), {}, language='es'), ''))"
+        "print(window(ExportQuestion.of(vad.SliderCrank(), {}, language='xx'), ''))"
     )
     done = call_beside(installed, "-c", code)
     assert (done.returncode, done.stderr) == (0, "")
-    assert '<option value="es">ES</option>' in done.stdout
+    assert '<option value="xx">XX</option>' in done.stdout
