@@ -32,6 +32,9 @@ from vad.strokes.sheet import Cell, Panel, Sheet
 
 #: The least room of a picture, for which all type on the page shrinks.
 NARROWEST, LOWEST = 0.43, 0.37
+#: A drawing may be so much larger than where it stands alone, aside and above: its letters are not
+#: far from it, and beside it there are gutters.
+SLACK = 0.030 + 0.008j
 PLACES = 0.145  # the titles of the columns, below the top
 FIRST_RULE = 0.165
 PLACE_SIZE = 0.040
@@ -149,7 +152,7 @@ class MultiplesBoard:
         points = [corners(panel) for panel in panels]
         if is_position:
             points = [[point for each in points for point in each]] * len(panels)
-        pairs = [(each, setting.room) for each, setting in zip(points, settings, strict=True)]
+        pairs = [(each, _larger(at.room)) for each, at in zip(points, settings, strict=True)]
         found = [fill(each, room, is_position, self.form.centimetre) for each, room in pairs]
         least = min((scale.factor for scale in found if not scale.bare), default=None)
         return [fill(each, room, is_position, factor=least) for each, room in pairs]
@@ -202,6 +205,12 @@ class MultiplesBoard:
             for cell in row.cells.get(name, ()) if row.key == driver else ():
                 if cell.given and all(cell in each.rows[index].cells[name] for each in sheets):
                     yield cell
+
+
+def _larger(room: Rect) -> Rect:
+    """Return the room that a drawing fills but for the usual space about it."""
+    aside, above = SLACK.real, SLACK.imag
+    return Rect(room.left - aside, room.bottom - above, room.right + aside, room.top + above)
 
 
 def _reading(cell: Cell, notation: Notation) -> Runs:
