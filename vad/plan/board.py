@@ -227,9 +227,10 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
     tall = next(
         (p.name for p in sheet.panels if p.picture == "skeleton" and is_tall(corners(p))), ""
     )
+    views = any(panel.picture == "views" for panel in sheet.panels)
     # A first layout tells the panels' width, the second knows how many lines they need.
     high = heights(sheet.rows, names)
-    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall, high)
+    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall, high, views)
     feet = {
         panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
     }
@@ -238,7 +239,7 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
         for panel in sheet.panels:
             room = first.panels[panel.name].drawing.width
             lines[panel.name] += sum(lines_of(half, room) for half in panel.halves)
-    return lay_out(form, lines, rows, caption_lines, tall, high), feet
+    return lay_out(form, lines, rows, caption_lines, tall, high, views), feet
 
 
 def rows_of(sheet: Sheet) -> dict[str, int]:

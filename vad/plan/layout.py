@@ -28,6 +28,9 @@ ALONE = "drive"
 #: What two of four columns take of an equal share: the first one, below which the names of the rows
 #: stand, and that of the driven body alone.
 FIRST_SHARE, ALONE_SHARE = 1.1, 0.9
+#: What the views of a mechanism in space take of an equal share, where columns are narrow: there
+#: notes stand beside them.
+VIEWS_SHARE = 1.06
 SLENDER_COLUMN = 0.30  # of a tall picture, beside columns that are at least
 BESIDE_SLENDER = 0.40
 ROW_PITCH = 0.040
@@ -132,6 +135,7 @@ def lay_out(
     caption_lines: int,
     tall: str = "",
     table: Table = NO_TABLE,
+    views: bool = False,
 ) -> Page:
     """Return the page for the panels named in ``equations`` (their numbers of foot lines).
 
@@ -140,7 +144,8 @@ def lay_out(
     Panels stand side by side if that leaves them wide enough, or if the cell of a grid is too low
     for the results, else in a grid.  One that is
     ``tall`` needs little width, and so stands beside the others on a narrower page, too.  Four
-    panels stand side by side where that makes their shortest side longer than a grid does.
+    panels, and those of a mechanism in ``views``, which stand one above the other, stand side by
+    side where that makes their shortest side longer than a grid does.
 
     Raises
     ------
@@ -161,9 +166,14 @@ def lay_out(
             narrow if _least(row(narrow, one)) > _least(_grid(form, one, caption_lines)) else []
         )
     page = row(widths, equations) if widths else _grid(form, equations, caption_lines)
-    if not page.columns and page.results and page.results.height < TIGHT * table.whole:
-        beside = row(_equal(form, len(equations)), equations, tight=True)
-        page = beside if _least(beside) >= LEAST_BESIDE else page
+    if not page.columns and page.results:
+        room, count = _equal(form, len(equations)), len(equations)
+        if views and count > 1:
+            more = (VIEWS_SHARE - 1.0) * room[0]
+            room = [room[0] + more, *(each - more / (count - 1) for each in room[1:])]
+        beside = row(room, equations, tight=True)
+        tight = page.results.height < TIGHT * table.whole and _least(beside) >= LEAST_BESIDE
+        page = beside if tight or (views and _least(beside) > _least(page)) else page
     if _least(page) < SMALLEST_DRAWING:
         raise UsageError(
             f"the page has no room for {len(equations)} panels with {rows} rows of results and "

@@ -70,6 +70,12 @@ class Scale:
         """Return where on the page is the panel's point ``z``."""
         return self.origin + self.factor * z
 
+    def smaller(self, share: float, about: complex) -> Scale:
+        """Return a scale that is a ``share`` of this one, and keeps a point of the page."""
+        return replace(
+            self, origin=about + share * (self.origin - about), factor=share * self.factor
+        )
+
 
 def fill(
     points: Iterable[complex],

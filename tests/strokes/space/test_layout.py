@@ -8,7 +8,10 @@ import numpy as np
 import pytest
 
 import vad
+from tests.plan.overlaps import KEY
 from vad.kinematics.reach import closing_range
+from vad.plan.board import plan
+from vad.plan.format import screen
 from vad.strokes.space.layout import (
     GAP,
     TALLEST,
@@ -58,3 +61,16 @@ def test_views_stand_apart_and_the_bar_has_room(length: float) -> None:
     assert min(views.place.real, end.real) > upper.high.real
     middle = 0.5 * (views.place + end).imag
     assert middle == pytest.approx(upper.high.imag - 0.5 * height)
+
+
+@pytest.mark.parametrize("angle", [60.0, 200.0])
+@pytest.mark.parametrize("name", ["hooke-joint", "rssr", "spherical-four-bar", "spatial-four-bar"])
+def test_views_have_the_height_of_a_page_that_is_4_by_3(name: str, angle: float) -> None:
+    """They stand one above the other: beside two polygons they are twice as high as above one."""
+    motion = vad.solve(vad.MECHANISMS[name](), angle=angle, alpha=20.0)
+    board = plan(vad.draw(motion), screen((1280, 960)), KEY)
+    assert board.page.columns
+    shares = {n: p.drawing.height / board.page.height for n, p in board.page.panels.items()}
+    assert shares["position"] > 0.5
+    assert min(shares.values()) > 0.37
+    assert not board.sketches["position"].crowded

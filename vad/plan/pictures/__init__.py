@@ -53,6 +53,11 @@ class Picture(Protocol):
         """Return what moves, in one pose that a hand has set, with its labels."""
 
 
+#: Of their usual size, views are so large until their notes have room: in the middle of their
+#: panel, to the left, or to the right.
+SIZES = tuple((share, side) for share in (1.0, 0.92, 0.85, 0.78) for side in (0.0, -1.0, 1.0))
+
+
 def sketched(setting: Setting) -> Sketch:
     """Return all that a lesson shows of a panel; the finished part is a still."""
     panel, scale = setting.panel, setting.scale
@@ -65,9 +70,22 @@ def sketched(setting: Setting) -> Sketch:
         case "skeleton":
             return with_lenses(setting, skeleton)
         case "views":
-            return Views(setting, [panel], scale or views_scale(setting, [panel])).draw()
+            return _views(setting)
         case "vectors":
             return polygon.draw(setting)
+
+
+def _views(setting: Setting) -> Sketch:
+    """Return the views of one pose, smaller if their notes have no room beside them."""
+    panel, room = setting.panel, setting.room
+    usual = setting.scale or views_scale(setting, [panel])
+    kept = setting.scale or setting.centimetre
+    for share, side in SIZES[:1] if kept else SIZES:
+        about = room.centre + side * room.width / 2
+        sketch = Views(setting, [panel], usual.smaller(share, about)).draw()
+        if not sketch.crowded:
+            break
+    return sketch
 
 
 def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:

@@ -350,7 +350,9 @@ def add_notes(sketch: Sketch, before: Sequence[complex] = ()) -> list[complex]:
         high = max(high for _, high in sizes) + (len(rows) - 1) * NOTE_PITCH
         best = sketch.scale(note.at)
         if not before:
-            asides.append(_nearest(sketch.obstacles, best, (wide, high)) - best)
+            spot, free = _nearest(sketch.obstacles, best, (wide, high))
+            asides.append(spot - best)
+            sketch.crowded = sketch.crowded or not free
         centre = best + asides[number]
         sketch.add(None, Level.LABEL, setting.during(0), on_page(_rows(rows, centre)))
         box = Placed(centre, wide, high).box
@@ -368,8 +370,8 @@ def _rows(rows: Sequence[Runs], centre: complex) -> list[Mark]:
     ]
 
 
-def _nearest(obstacles: Obstacles, at: complex, size: tuple[float, float]) -> complex:
-    """Return the free place nearest to ``at``; the nearest of all where none is free."""
+def _nearest(obstacles: Obstacles, at: complex, size: tuple[float, float]) -> tuple[complex, bool]:
+    """Return the free place nearest to ``at``, or the nearest of all, and whether it is free."""
     wide, high = size
     room = obstacles.edge
     across = np.arange(int((room.width - wide) / NOTE_STEP) + 1) * NOTE_STEP
@@ -377,14 +379,12 @@ def _nearest(obstacles: Obstacles, at: complex, size: tuple[float, float]) -> co
     corner = complex(room.left + wide / 2, room.bottom + high / 2)
     found = (corner + across[:, None] + 1j * upright).ravel()
     spots: list[complex] = found[np.argsort(np.abs(found - at), kind="stable")].tolist()
-    if not spots:
-        return at
     for first in range(0, len(spots), _AT_ONCE):
         some = spots[first : first + _AT_ONCE]
         free = obstacles.free(some, wide, high, CLEARANCE, APART)
         if free.any():
-            return some[int(free.argmax())]
-    return spots[0]
+            return some[int(free.argmax())], True
+    return (spots[0] if spots else at), False
 
 
 def folds(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
