@@ -16,7 +16,7 @@ from vad.lecture.pace import LANDED, PHASES
 from vad.page.parts import page_plan
 from vad.plan.board import plan
 from vad.plan.format import screen
-from vad.plan.items import FLIGHT
+from vad.plan.items import FLIGHT, Level
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
 from vad.plan.pictures.flights import ARCH, Flight
 from vad.plan.pictures.traces import crossings, strokes_at
@@ -171,6 +171,7 @@ def test_what_travels_is_its_source_times_a_rate(name):
         if travel.kind == "coriolis":
             slide = next(s for s in motion.frame.steps if s.ends == drawn.part.of)
             body = slide.along
+            assert travel.by in (None, body)  # a cylinder has no block, and is lit itself
         link = motion.link(body)
         spin = link.omega
         first = {"tangential": 1j * spin, "image": 1j * spin}
@@ -267,6 +268,18 @@ def test_a_dotted_path_shows_the_way_and_only_coriolis_docks_in_a_ring(name):
         still = [mark for mark in item.marks if not isinstance(mark.growth, Flying)]
         assert all(mark.at(landed - 0.01) for mark in still)
         assert not any(mark.at(1.0) for mark in still)
+
+
+def test_what_coriolis_comes_from_is_lit_until_the_next_step():
+    board = filmed(moving("slotted lever with ram")[1])
+    (item,) = (item for travel, item, _ in shafts(board) if travel.kind == "coriolis")
+    lit = [i for i in board.items if i.stroke == item.stroke and i.level == Level.GLOW]
+    beats = item.since, item.since + 2
+    rows = {(i.region, m.role, m.row) for i in lit if (i.since, i.until) == beats for m in i.marks}
+    keys = [row.key for row in board.sheet.rows]
+    assert ("velocity", "vector light", keys.index("block")) in rows
+    lever = keys.index("lever")
+    assert any(region == "position" and row == lever for region, _, row in rows)
 
 
 def test_a_flight_bends_to_the_side_on_which_it_crosses_less():

@@ -28,6 +28,9 @@ class Travel(NamedTuple):
     seen
         The vector in the unit of its own panel as the view that it leaves shows it, if that is seen
         from another side; None if it looks alike in both.
+    by
+        The row of the link on which a block slides, and whose ω turns its velocity to a Coriolis
+        acceleration; None for other vectors, and in a cylinder, which is a link itself.
     """
 
     kind: TravelKind
@@ -37,6 +40,7 @@ class Travel(NamedTuple):
     start: complex
     end: complex
     seen: complex | None = None
+    by: str | None = None
 
     @property
     def turn(self) -> float:

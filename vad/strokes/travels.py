@@ -16,7 +16,7 @@ from vad.kinematics.symbol import is_symbolic
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Order
 from vad.strokes.reveals import measurer
 from vad.strokes.scene import point_of
-from vad.strokes.sheet import Arrow, Cell, Dot, Panel, Plate, Row, Sheet, Stroke
+from vad.strokes.sheet import Arrow, Cell, Dot, Panel, Plate, Row, Sheet, Stroke, StrokePart
 from vad.strokes.space.travels import may_be_shown, travels_in_space
 from vad.strokes.travel import Travel, TravelKind
 
@@ -37,7 +37,7 @@ def travels(sheet: Sheet) -> dict[str, Travel]:
         if panel and mechanism:
             found.update(_from_links(panel, mechanism))
         if panel and velocities:
-            found.update(_coriolis(panel, velocities))
+            found.update(_coriolis(panel, velocities, mechanism))
     if mechanism is None:
         found.update(travels_in_space(sheet, pictures.get("views")))
     return {name: travel for name, travel in found.items() if _can(travel)}
@@ -88,8 +88,11 @@ def _from_links(panel: Panel, mechanism: Panel) -> Iterator[tuple[str, Travel]]:
     for triangle in panel.triangles:
         tail, head = (places.get(letter) for letter in triangle.points[:2])
         if tail is not None and head is not None:
-            ends = tail, head, *triangle.corners[:2]
-            yield panel.full(triangle.stroke), Travel("image", mechanism.name, *ends)
+            start, end = triangle.corners[:2]
+            yield (
+                panel.full(triangle.stroke),
+                Travel("image", mechanism.name, tail, head, start, end),
+            )
 
 
 def _kind(stroke: Stroke, mechanism: Panel) -> TravelKind | None:
@@ -113,7 +116,9 @@ def _ends(stroke: Stroke) -> tuple[str, str]:
         return "", ""
 
 
-def _coriolis(panel: Panel, velocities: Panel) -> Iterator[tuple[str, Travel]]:
+def _coriolis(
+    panel: Panel, velocities: Panel, mechanism: Panel | None
+) -> Iterator[tuple[str, Travel]]:
     sliding = {s.part.of: s.shape for s in velocities.strokes if s.part.which == "sliding"}
     for stroke in panel.strokes:
         source, shape = sliding.get(stroke.part.of), stroke.shape
@@ -123,7 +128,15 @@ def _coriolis(panel: Panel, velocities: Panel) -> Iterator[tuple[str, Travel]]:
             and isinstance(source, Arrow)
         ):
             ends = source.start, source.end, shape.start, shape.end
-            yield panel.full(stroke.name), Travel("coriolis", velocities.name, *ends)
+            by = _carrier(mechanism, stroke.part.of) if mechanism else None
+            yield panel.full(stroke.name), Travel("coriolis", velocities.name, *ends, by=by)
+
+
+def _carrier(mechanism: Panel, step: str) -> str | None:
+    """Return the row of the body on which a block slides, which has a step's letters."""
+    block = StrokePart(step, "block").name
+    rows = (body.row for body in mechanism.bodies for ride in body.carries if ride.block == block)
+    return next(rows, None)
 
 
 def _places(mechanism: Panel) -> Mapping[str, complex]:

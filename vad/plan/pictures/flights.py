@@ -133,7 +133,7 @@ def travelling(
     flights = (Flight.of(name, travel, sketches, edges) for name, travel in travels.items())
     own = {flight.stroke: flight for flight in flights if flight}
     strokes = {each: strokes_at(sketches.values(), flight.span) for each, flight in own.items()}
-    found: list[Item] = []
+    found = [light for flight in own.values() for light in flight.lights(sketches)]
     for item in items:
         flight = own.get(item.stroke)
         if flight is None or item.region != flight.polygon.setting.panel.column:
@@ -214,6 +214,19 @@ class Flight:
             return item
         marks = tuple(replace(mark, growth=None) for mark in item.marks)
         return replace(item, since=self.during + 1, marks=marks)
+
+    def lights(self, sketches: Mapping[str, Sketch]) -> Iterator[Item]:
+        """Yield the lights on a vector that flies off, and on the link that turns it."""
+        setting, travel = self.polygon.setting, self.travel
+        span = self.during, setting.over(self.index)
+        row = setting.row(setting.panel.strokes[self.index].link)
+        home = sketches[travel.source].setting.panel
+        if travel.kind in ("coriolis", "turned") and home.column != setting.panel.column:
+            light = line(self.source, "vector light", row)
+            yield Item(self.stroke, home.column, Level.GLOW, (light,), *span)
+        for sketch in sketches.values():
+            if marks := tuple(sketch.lights.get(travel.by or "", ())):
+                yield Item(self.stroke, sketch.setting.panel.column, Level.GLOW, marks, *span)
 
     def item(self, marks: Sequence[Mark], strokes: Complexes) -> Item:
         """Return marks of the polygon on their way, with the traces that they leave.
