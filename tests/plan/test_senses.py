@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from itertools import combinations, starmap
 
 import pytest
@@ -87,6 +89,20 @@ def test_no_arrow_lies_on_a_letter_and_no_name_on_another(name, size):
         [bow] = [mark.shape for mark in item.marks if isinstance(mark.shape, Bow)]
         assert not any(box.holds(point) for box in boxes for point in bow.line())
         assert all(sketch.setting.room.holds(point, 0.001) for point in bow.line())
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "toggle-press"])
+def test_arrows_of_opposite_senses_on_one_link_point_opposite_ways(name):
+    kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
+    board = drawn(kind())
+    ways: dict[int | None, list[complex]] = {}
+    for _, sweep, item in arrows(board):
+        [(bow, row)] = [(m.shape, m.row) for m in item.marks if isinstance(m.shape, Bow)]
+        middle = bow.start + sweep / 2 + math.copysign(90.0, sweep)
+        ways.setdefault(row, []).append(cmath.rect(1.0, math.radians(middle)))
+    pairs = [each for each in ways.values() if len(each) == 2]
+    assert pairs
+    assert all((one * other.conjugate()).real < 0.0 for one, other in pairs)
 
 
 def test_an_arrow_comes_with_the_stroke_that_finds_it_and_not_on_a_problem():

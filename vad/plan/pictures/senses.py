@@ -49,6 +49,8 @@ LETTER = 0.030
 NAMED, CLEAR = 0.007, 0.007
 #: From the link to the middle of its arrow at most: farther off, nobody would see which it is.
 FARTHEST = 0.080
+#: The cosine between two directions that are seen to be opposite.
+AGAINST = -0.3
 #: A rate below this share of the largest one has no sense.
 STILL = 1e-9
 #: What lies so near the axis of a link belongs to it.
@@ -91,8 +93,9 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
         bars = {row.key: _bars(sketch, row) for row in sketch.setting.sheet.rows}
         for row in sketch.setting.sheet.rows:
             others = [bar for key, own in bars.items() if key != row.key for bar in own]
+            ways: list[complex] = []
             for sense in senses_of(sketches, row) if bars[row.key] else ():
-                yield from arrow_near(sketch, taken, row, bars[row.key], sense, others)
+                yield from arrow_near(sketch, taken, row, bars[row.key], sense, others, ways)
 
 
 def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
@@ -148,16 +151,20 @@ def arrow_near(
     bars: Sequence[tuple[complex, complex]],
     sense: Sense,
     others: Sequence[tuple[complex, complex]] = (),
+    ways: list[complex] | None = None,
 ) -> Iterator[Item]:
     """Yield an arrow about an end of one of the bars of a row, and the names that come to it.
 
     It is nearer to them than to the ``others``, if that can be.  There is none without a free
-    place; ``taken`` are the places that are not.
+    place; ``taken`` are the places that are not, and ``ways`` the directions of other arrows of
+    the row, whose sense is the other one.  Its own are added to both.
     """
     panel, number = sketch.setting.panel, sketch.setting.row(row.key)
-    place = _place(taken, bars, others, sense)
+    ways = [] if ways is None else ways
+    place = _place(taken, bars, others, sense, ways)
     if place is None:
         return
+    ways.append(_way(place.middle, sense.sign))
     wide, high = ink_size(symbols(sense.text), LETTER)
     taken.box(Placed(place.name, wide, high).box)
     taken.line(place.line, 2.0 * PIXEL)
@@ -187,12 +194,15 @@ def _place(
     bars: Sequence[tuple[complex, complex]],
     others: Sequence[tuple[complex, complex]],
     sense: Sense,
+    ways: Sequence[complex],
 ) -> _Place | None:
     """Return the nearest place that meets nothing but the link itself; None where none is free.
 
-    If it can be, the middle of the arrow is near its link, and nearer to it than to the ``others``.
+    If it can be, the arrow points against other ``ways``: about the two ends of a link two arrows
+    of opposite senses could point the same way, and would seem to be of one sense.  And if it can
+    be, its middle is near its link, and nearer to it than to the ``others``.
     """
-    far: _Place | None = None
+    second: dict[tuple[bool, bool], _Place] = {}
     strange = Obstacles(
         obstacles.edge,
         [line for line in obstacles.lines if not any(_along(line, bar) for bar in bars)],
@@ -218,11 +228,19 @@ def _place(
             if clear and own.free([spot], wide, high, 2.0 * PIXEL)[0]:
                 place = _Place(at, radius, span, middle, line, spot)
                 tip = at + cmath.rect(radius, math.radians(middle))
-                if _off(tip, bars) <= min(FARTHEST, _off(tip, others)):
+                near = _off(tip, bars) <= min(FARTHEST, _off(tip, others))
+                own_way = _way(middle, sense.sign)
+                against = all((own_way * way.conjugate()).real < AGAINST for way in ways)
+                if near and against:
                     return place
-                far = far or place
+                second.setdefault((against, near), place)
                 break
-    return far
+    return second[max(second)] if second else None
+
+
+def _way(middle: float, sign: float) -> complex:
+    """Return the direction of an arrow at its middle."""
+    return cmath.rect(1.0, math.radians(middle + sign * 90.0))
 
 
 def _arcs(
