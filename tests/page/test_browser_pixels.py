@@ -38,7 +38,7 @@ LESSONS = (
     else [(name, "paper", every) for name, every in SAMPLE.items()] + [("whitworth", "print", 23)]
 )
 #: Puts the drawings where the painter has them, and all else away; letters are darker on a page.
-#: None is larger than on the sheet, or moves.
+#: None is larger than on the sheet, or moves, and nothing flies.
 BARE = """() => {
   const home = document.querySelector('.vad');
   for (const svg of document.querySelectorAll('.drawing svg')) {
@@ -51,6 +51,7 @@ BARE = """() => {
   }
   home.classList.add('large');
   Element.prototype.animate = () => {};
+  document.querySelector('.travels').checked = false;
   const others = document.querySelectorAll('.board > *, .steps, .grip');
   for (const each of others) each.style.visibility = 'hidden';
   for (let row = 0; row < 9; row++) home.style.setProperty(`--letter${row}`, `var(--ink${row})`);

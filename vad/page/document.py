@@ -55,6 +55,7 @@ _START = (
     "packed[2].forEach((layer,i)=>svgs[i].insertAdjacentHTML('beforeend',layer));"
     "const player=mount(root,data);"
 )
+_PLAYED = ("flights.js", "player.js")
 #: The scripts of a page that is turned, those first that others use.
 _HAND = (
     "solver.js",
@@ -98,7 +99,7 @@ def script(turned: bool) -> str:
 
 def scripts(turned: bool) -> str:
     """Return the functions of a page's script."""
-    names = (*_HAND, "player.js") if turned else ("player.js",)
+    names = (*_HAND, *_PLAYED) if turned else _PLAYED
     return "\n".join(map(asset, names)).replace("export ", "")
 
 

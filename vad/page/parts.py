@@ -21,6 +21,7 @@ from vad.page.ink import Inker, when
 from vad.page.measures import Measures, measures
 from vad.page.spoken import spoken
 from vad.page.themed import Inks, lettered
+from vad.page.travels import page_flights
 from vad.painting.posed import SIZE
 from vad.painting.svg_elements import number
 from vad.painting.svg_text import Faces
@@ -66,9 +67,9 @@ class Parts:
     data
         What the script plays: ``first`` strokes and ``panels`` by name and title, how many strokes
         are seen when it ``opens`` (see `vad.lecture.lesson.Lesson`), ``times`` of
-        each stroke (seconds that it grows and rests), how long panels ``move``
-        to the next scene (seconds, and with the rest after it), ``spoken`` captions, ``grow`` (see
-        `vad.page.ink`) and ``words``.
+        each stroke (seconds that it grows and rests), how long panels ``move`` to the next scene
+        (seconds, and with the rest after it), ``flights`` (see `vad.page.travels`), ``spoken``
+        captions, ``grow`` (see `vad.page.ink`) and ``words``.
     lines
         How many lines captions take.
     measures
@@ -162,6 +163,7 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
             ],
             "answer": _answer(lesson, words),
             "move": _move(lesson),
+            "flights": page_flights(lesson, board, inker),
             "spoken": [words for _, words in listed],
             "grow": inker.growths,
             "words": Language(sheet.language).page("PLAYER"),

@@ -112,7 +112,8 @@ export function mount(root, data, { address = true } = {}) {
   const wide = matchMedia("(min-width: 64rem) and (min-height: 35rem)"), rail = one(".rail") ?? one(".steps");
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
-  let lesson, x = 0, mode = "", goal = 0, rest = 0, beat, spoken, staged = -1;
+  const air = flights(root);
+  let lesson, x = 0, mode = "", goal = 0, rest = 0, beat, spoken, staged = -1, aloft = null;
   let frame = 0, then = 0, timer = 0, letters = true, kept = 0, others = null;
 
   const strokes = () => lesson.times.length;
@@ -130,7 +131,7 @@ export function mount(root, data, { address = true } = {}) {
     lesson.links.forEach((link, i) => { if (!link.innerHTML) link.innerHTML = lesson.links[i - 1].innerHTML; });
     lesson.timed = all("[data-s], [data-b]").map((element) => [element, spans(element)]);
     lesson.growing = all("[data-g]").map((mark) =>
-      [spans(mark.parentNode)[0][0], growing(mark, lesson.grow[mark.dataset.g])]);
+      [spans(mark.parentNode)[0][0], growing(mark, lesson.grow[mark.dataset.g]), mark]);
     scrub.max = strokes();
     beat = spoken = null;
     paint(at);
@@ -141,7 +142,11 @@ export function mount(root, data, { address = true } = {}) {
     const shown = calm.matches ? Math.ceil(x) : x, done = Math.floor(shown), fresh = beat === null;
     const now = shown === strokes() ? 2 * done + 1 : shown ? 2 * done + (shown > done) : 2 * lesson.opens;
     if (now !== beat) turn(now);
-    for (const [since, show] of lesson.growing) if (since === now) show(smooth(shown - done));
+    const grown = lesson.growing.filter(([since]) => since === now);
+    const flight = shown > done && flown(done) && air.flight(lesson.flights[done], grown.map(([, , mark]) => mark), lesson.pictures, now);
+    for (const [, show] of grown) show(flight ? 1 : smooth(shown - done));
+    if (flight || aloft) air.draw(flight, shown - done);
+    aloft = flight;
     scrub.value = x;
     scrub.style.setProperty("--share", x / strokes());
     say(Math.ceil(x) - 1);
@@ -165,6 +170,14 @@ export function mount(root, data, { address = true } = {}) {
       const label = { panel: lesson.panels[i][1], done: clamp((now >> 1) - first, 0, whole), count: whole };
       picture.setAttribute("aria-label", lesson.words.drawn.replace(/{(\w+)}/g, (_, key) => label[key]));
     });
+  }
+
+  // Whether a stroke flies, if its reader likes it, and the seconds that it takes.
+  const flown = (stroke) => lesson.flights[stroke] && one(".travels").checked && !calm.matches;
+
+  function timesOf(stroke) {
+    const [grow, hold, ...starts] = lesson.times[stroke] ?? [0, 0], long = flown(stroke) ? lesson.flights[stroke][0] : grow;
+    return [long, grow + hold - long, ...starts];
   }
 
   // The caption of a stroke is shown, and read out, from the beginning of the stroke.
@@ -202,7 +215,7 @@ export function mount(root, data, { address = true } = {}) {
 
   // While it is played, a caption that calculates is said in beats.
   function beats(at) {
-    const stroke = rest > 0 ? at - 1 : Math.floor(at), [grow, hold, ...starts] = lesson.times[stroke] ?? [];
+    const stroke = rest > 0 ? at - 1 : Math.floor(at), [grow, hold, ...starts] = timesOf(stroke);
     const past = rest > 0 ? grow + hold - rest : (at - stroke) * grow;
     caption.dataset.said = 1 + starts.filter((start) => start <= past).length;
   }
@@ -301,7 +314,7 @@ export function mount(root, data, { address = true } = {}) {
     then = time;
     // Each round uses up time or goes on by a stroke.
     while (left > 0 && (rest > 0 || at < goal)) {
-      const stroke = Math.floor(at), [grow, hold] = lesson.times[stroke] ?? [0, 0];
+      const stroke = Math.floor(at), [grow, hold] = timesOf(stroke);
       const need = rest > 0 ? rest : (stroke + 1 - at) * grow, used = Math.min(left, need);
       left -= used;
       if (rest > 0) rest -= used;

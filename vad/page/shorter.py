@@ -40,7 +40,7 @@ _GLOBALS = frozenset(
         Object Promise ResizeObserver Set String TextDecoder URLSearchParams Uint8Array
         addEventListener cancelAnimationFrame clearTimeout console document encodeURIComponent
         getComputedStyle getSelection history
-        innerHeight innerWidth isNaN location matchMedia navigator parent performance
+        innerHeight innerWidth isNaN location matchMedia navigator parent parseFloat performance
         requestAnimationFrame setTimeout vad
         window""",
     )

@@ -1029,6 +1029,7 @@ PLAYER = {
     "large": "Ein Bild vergrößern",
     "keys": "Tasten",
     "letters": "Tasten aus einem Zeichen",
+    "travels": "Vektoren wandern",
     "close": "Schließen",
     "scrub": "Gezeichnete Striche",
     "drawn": "{panel}: {done} von {count} Strichen gezeichnet",

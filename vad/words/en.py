@@ -891,6 +891,7 @@ PLAYER = {
     "large": "Enlarge a panel",
     "keys": "Keys",
     "letters": "Single-key shortcuts",
+    "travels": "Vectors travel",
     "close": "Close",
     "scrub": "Strokes drawn",
     "drawn": "{panel}: {done} of {count} strokes drawn",

@@ -1013,6 +1013,7 @@ PLAYER = {
     "large": "Agrandir une figure",
     "keys": "Touches",
     "letters": "Raccourcis d’un seul signe",
+    "travels": "Les vecteurs voyagent",
     "close": "Fermer",
     "scrub": "Traits dessinés",
     "drawn": "{panel} : {done} traits dessinés sur {count}",

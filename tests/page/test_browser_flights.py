@@ -1,0 +1,147 @@
+"""Vectors that travel on a page: from the link, or the velocity, that they come from."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page
+
+import vad
+from tests.browser import opened, until
+from tests.page.lessons import at, lesson_of, page_of, press, scrub, show
+from vad.files.examples import example_path
+from vad.page.document import document
+from vad.page.parts import parts
+
+NAME = "crank-slotted-lever"
+LESSON = lesson_of(NAME, whole=True)
+FLIGHTS = parts(LESSON).data["flights"]
+#: Where the arrow is that flies, and whether its own is seen: its tail, its tip.
+_AIR = """() => {
+  document.getAnimations().forEach((each) => each.finish());
+  const group = document.querySelector(".air g:last-child");
+  if (!group) return null;
+  const [shaft, head] = group.children;
+  const [x, y] = shaft.getAttribute("d").match(/-?[\\d.e-]+/g).map(Number);
+  const [p, q] = /translate\\((\\S+) (\\S+)\\)/.exec(head.getAttribute("transform")).slice(1);
+  return [[x, y], [+p, +q], document.querySelectorAll(".aloft").length > 0];
+}"""
+#: Places of a panel in the window.
+_WINDOW = """([panel, ...places]) => {
+  const matrix = document.querySelectorAll(".drawing svg")[panel].getScreenCTM();
+  return [0, 2].map((n) => new DOMPoint(places[n], places[n + 1]).matrixTransform(matrix))
+    .map(({ x, y }) => [x, y]);
+}"""
+#: The arrow of a stroke as it is drawn: where its shaft begins, and the tip of its head.
+_DRAWN = """(beat) => {
+  const group = [...document.querySelectorAll(`[data-s="${beat}"]`)]
+    .find((each) => each.closest(".drawing") && each.children.length > 1);
+  const marks = [...group.children].filter((each) => each.localName === "path");
+  const tip = marks.find((each) => getComputedStyle(each).fill !== "none");
+  const matrix = group.ownerSVGElement.getScreenCTM();
+  return [tip.previousElementSibling, tip].map((each) => {
+    const [x, y] = each.getAttribute("d").match(/-?[\\d.]+/g).map(Number);
+    const place = new DOMPoint(x, y).matrixTransform(matrix);
+    return [place.x, place.y];
+  });
+}"""
+
+
+@pytest.fixture(scope="module")
+def lever(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    with opened(browser, viewport={"width": 1280, "height": 720}) as page:
+        show(page, tmp_path_factory.mktemp("flights"), page_of(NAME, whole=True))
+        yield page
+
+
+def flying(page: Page, x: float) -> tuple[complex, complex, bool] | None:
+    """Return tail and tip of what flies, upwards positive, and whether it is not drawn yet."""
+    scrub(page, x)
+    page.evaluate(_AIR)  # all panels have come to rest
+    scrub(page, x)
+    found = page.evaluate(_AIR)
+    return found and (*(complex(u, -v) for u, v in found[:2]), found[2])
+
+
+def ends(found: list[list[float]]) -> list[complex]:
+    return [complex(u, -v) for u, v in found]
+
+
+@pytest.mark.parametrize("number", FLIGHTS)
+def test_a_vector_leaves_its_source_and_lands_in_its_place(lever: Page, number: int) -> None:
+    _, kind, phases, source, turn, _, _, *places = FLIGHTS[number]
+    scrub(lever, number + 0.5)
+    tail, tip, aloft = flying(lever, number + 1e-6)
+    assert aloft
+    start, end = ends(lever.evaluate(_WINDOW, [source, *places[:4]]))
+    assert abs(tail - start) < 1.0 and abs(tip - end) < 1.0
+    lifted = flying(lever, number + phases[0] / sum(phases))
+    if kind != "image":
+        assert math.degrees(abs(cmath.phase((lifted[1] - lifted[0]) / (end - start)))) < 0.5
+    before = flying(lever, number + 1.0 - phases[-1] / sum(phases))
+    turned = math.degrees(cmath.phase((before[1] - before[0]) / (end - start)))
+    assert turned == pytest.approx(turn, abs=0.5)
+    landing = flying(lever, number + 1.0 - 1e-6)
+    assert flying(lever, number + 1.0) is None
+    drawn = ends(lever.evaluate(_DRAWN, 2 * number + 1))
+    # An arrow on one line with another is drawn beside it, an image from where it is seen alone.
+    lane, tail = 6.0, abs(landing[0] - drawn[0])
+    assert abs(landing[1] - drawn[1]) < lane and (kind == "image" or tail < lane)
+
+
+def test_the_image_of_a_link_with_three_points_lands_on_its_triangle(
+    browser: Browser, tmp_path: Path
+) -> None:
+    lesson = vad.animate(vad.draw(vad.solve(vad.load(example_path("stephenson-1"))())))
+    number = next(
+        place for place, each in parts(lesson).data["flights"].items() if each[1] == "area"
+    )
+    with opened(browser, viewport={"width": 1280, "height": 720}) as page:
+        show(page, tmp_path, document(lesson), f"#step={number}")
+        boxes = []
+        for x, place in (
+            (1.0 - 1e-6, ".air g:last-child path"),
+            (1.0, f'[data-s="{2 * number + 2}"] path'),
+        ):
+            scrub(page, number + x)
+            boxes.append(page.locator(place).first.bounding_box())
+        one, other = ([box[key] for key in ("x", "y", "width", "height")] for box in boxes)
+        assert one == pytest.approx(other, abs=6.0) and min(one[2:]) > 30  # with its rim
+
+
+def test_each_kind_flies_from_its_panel() -> None:
+    found = {each[1]: each[3] for each in FLIGHTS.values()}
+    assert found == {"tangential": 0, "normal": 0, "image": 0, "coriolis": 1}
+    omega = LESSON.sheet.driver.omega
+    first = next(each for each in FLIGHTS.values() if each[1] == "tangential")
+    assert first[4] == math.copysign(90.0, omega)
+    plain = vad.animate(LESSON.sheet, plain=True)
+    assert parts(plain).data["flights"] == {}
+
+
+def test_the_next_key_lands_it_and_a_switch_lets_a_pencil_draw(lever: Page) -> None:
+    number = min(FLIGHTS)
+    scrub(lever, number)
+    press(lever, "ArrowRight")
+    until(lever, lambda: lever.evaluate(_AIR) is not None)
+    press(lever, "ArrowRight")
+    assert at(lever) == number + 1 and lever.evaluate(_AIR) is None
+    assert lever.locator(".aloft").count() == 0
+    press(lever, "?")
+    lever.locator(".travels").uncheck()
+    press(lever, "Escape")
+    assert flying(lever, number + 0.5) is None
+    lever.locator(".travels").evaluate("(each) => { each.checked = true; }")
+
+
+def test_where_the_source_is_not_seen_a_pencil_draws(lever: Page) -> None:
+    number = next(place for place, each in FLIGHTS.items() if each[1] == "coriolis")
+    lever.set_viewport_size({"width": 640, "height": 600})
+    narrow: Any = flying(lever, number + 0.5)
+    lever.set_viewport_size({"width": 1280, "height": 720})
+    assert narrow is None and flying(lever, number + 0.5) is not None

@@ -1,0 +1,89 @@
+// Vectors that travel, as in films (vad/plan/pictures/flights.py): a copy of a link, or of a velocity,
+// turns, is stretched, and flies to its place in a polygon, in another panel of the page.
+//
+// flights(root) -> {flight, draw}. flight(data, marks, svgs, beat) is one, by what vad/page/travels.py says
+// of it, by the marks that grow in its beat and by the pictures of all panels; null where its source is not
+// seen. draw(flight, share) shows it at a share of its time, draw(null) none.
+
+// In units of a page 720 high: how far a copy lifts off, and how long one is at least that turns.
+const LIFT = 28.8, SEEN = 64.8;
+// How high it flies, of its way; how much ink its traces have, and how long before the end they are gone.
+const ARCH = .08, GHOSTS = [.2, .28, .36], VANISHING = .92;
+// Of a head: the length by that of its side, how much of a short vector, where the shaft ends in it.
+const SIDE = 1.077, HEAD_SHARE = .6, NECK = .66;
+
+function flights(root) {
+  const air = root.querySelector(".air") ?? root.appendChild(document.createElementNS("http://www.w3.org/2000/svg", "svg"));
+  air.setAttribute("class", "air");
+  air.setAttribute("aria-hidden", true);
+  const filled = (mark) => getComputedStyle(mark).fill !== "none";
+  let hidden = [];
+
+  function flight([, kind, phases, from, turn, tilt, oblique, ...places], marks, svgs, beat) {
+    const to = marks[0]?.ownerSVGElement, source = svgs[from];
+    if (!to || !source.getBoundingClientRect().width || !to.getBoundingClientRect().width) return null;
+    const at = (svg, n) => new DOMPoint(places[n], places[n + 1]).matrixTransform(svg.getScreenCTM());
+    const tail = at(source, 0), head = at(source, 2), start = at(to, 4), end = at(to, 6);
+    const unit = to.getScreenCTM().a, way = [end.x - start.x, end.y - start.y], whole = Math.hypot(...way);
+    const [x, y] = [head.x - tail.x, head.y - tail.y], length = Math.hypot(x, y);
+    const size = length / whole, seen = Math.max(size, SEEN * unit / whole), up = LIFT * unit / length * (x < 0 ? -1 : 1);
+    const lifts = {
+      tangential: () => [x, y],
+      coriolis: () => way.map((each) => LIFT * unit * each / whole),
+      normal: () => [up * y, -up * x],
+    };
+    Object.assign(lifts, { turned: lifts.coriolis, axial: lifts.normal });
+    const [p, q] = lifts[kind]?.() ?? [0, 0], place = [tail.x + p, tail.y + q];
+    const legs = [[tail.x, tail.y, size, turn]];
+    if (lifts[kind]) legs.push([...place, seen, turn]);
+    if (lifts[kind] !== lifts.normal) legs.push([...place, seen, tilt]);
+    legs.push([...place, oblique, tilt], [start.x, start.y, 1, 0]);
+    // An area shows when its stroke is done, an arrow grows.
+    const all = kind === "area" ? [...to.querySelectorAll(`[data-s="${beat + 1}"] > path`)] : marks;
+    const tip = all.find((each) => each.localName === "path" && filled(each)), shaft = kind !== "area" && tip?.previousElementSibling;
+    return tip ? { to, start, way, unit, legs, phases, marks, tip, shaft } : null;
+  }
+
+  // Where its start is after some time, its factor, and by how much it is turned clockwise.
+  function leg({ legs, phases }, time) {
+    let n = 0;
+    while (n < phases.length - 1 && time > phases[n]) time -= phases[n++];
+    const part = smooth(Math.min(1, time / phases[n])), [from, to] = [legs[n], legs[n + 1]];
+    const found = from.map((each, i) => each + part * (to[i] - each));
+    if (n === phases.length - 1) found[1] -= 4 * part * (1 - part) * ARCH * Math.hypot(to[0] - from[0], to[1] - from[1]);
+    return found;
+  }
+
+  function drawn(flight, time, ink) {
+    const { to, start, way, unit, tip, shaft } = flight, room = to.closest(".panels").getBoundingClientRect();
+    let [x, y, factor, turn] = leg(flight, time);
+    const [cos, sin] = ray(turn), dx = factor * (way[0] * cos - way[1] * sin), dy = factor * (way[0] * sin + way[1] * cos);
+    x += Math.max(0, room.left - Math.min(x, x + dx)) + Math.min(0, room.right - Math.max(x, x + dx));
+    y += Math.max(0, room.top - Math.min(y, y + dy)) + Math.min(0, room.bottom - Math.max(y, y + dy));
+    if (!shaft) {
+      const { a, b, c, d, e, f } = to.getScreenCTM();
+      return `<g opacity="${ink}" style="stroke:var(--grey)" transform="translate(${x} ${y}) rotate(${turn}) scale(${factor}) translate(${-start.x} ${-start.y}) matrix(${a} ${b} ${c} ${d} ${e} ${f})">${tip.outerHTML}</g>`;
+    }
+    const long = Math.hypot(dx, dy), [, , u, v] = tip.getAttribute("d").match(/-?(\d+\.?\d*|\.\d+)/g);
+    const head = Math.min(Math.hypot(u, v) / SIDE * unit, HEAD_SHARE * long), neck = 1 - NECK * head / long;
+    const wide = parseFloat(getComputedStyle(shaft).strokeWidth) * unit, angle = Math.atan2(dy, dx) * 180 / Math.PI;
+    return `<g opacity="${ink}"><path class="${shaft.getAttribute("class")}" style="stroke-width:${wide}px" d="M${x} ${y}l${neck * dx} ${neck * dy}"/>` +
+      `<path class="${tip.getAttribute("class")}" transform="translate(${x + dx} ${y + dy}) rotate(${angle}) scale(${head})" d="M0 0-1-.4-.76 0-1 .4z"/></g>`;
+  }
+
+  function draw(flight, share) {
+    hidden.forEach((each) => each.classList.remove("aloft"));
+    hidden = flight ? flight.marks.map((each) => each.parentNode) : [];
+    hidden.forEach((each) => each.classList.add("aloft"));
+    if (!flight) return air.replaceChildren();
+    const { phases } = flight, all = phases.reduce((sum, each) => sum + each);
+    let time = 0, text = "";
+    phases.slice(0, -1).forEach((each, n) => {
+      time += each;
+      if (share * all > time && share < VANISHING) text += drawn(flight, time, GHOSTS[n]);
+    });
+    air.innerHTML = text + drawn(flight, share * all, 1);
+  }
+
+  return { flight, draw };
+}
