@@ -210,8 +210,8 @@ class Sketch:
         The points that bear letters.
     close, lenses
         The places where points cannot be told apart, and the lenses that show some of them.
-    crowded
-        Whether a note has no free place, and stands on something.
+    astray
+        How far from its best place a note stands, at most; infinite if one has no free place.
     """
 
     setting: Setting
@@ -224,7 +224,7 @@ class Sketch:
     vertices: Sequence[Vertex] = ()
     close: list[Close] = field(default_factory=list)
     lenses: list[Lens] = field(default_factory=list)
-    crowded: bool = False
+    astray: float = 0.0
 
     @cached_property
     def solved(self) -> Solved:

@@ -73,4 +73,4 @@ def test_views_have_the_height_of_a_page_that_is_4_by_3(name: str, angle: float)
     shares = {n: p.drawing.height / board.page.height for n, p in board.page.panels.items()}
     assert shares["position"] > 0.5
     assert min(shares.values()) > 0.37
-    assert not board.sketches["position"].crowded
+    assert board.sketches["position"].astray < 0.3

@@ -53,8 +53,9 @@ class Picture(Protocol):
         """Return what moves, in one pose that a hand has set, with its labels."""
 
 
-#: Of their usual size, views are so large until their notes have room: in the middle of their
-#: panel, to the left, or to the right.
+#: Farther from its place, a note would seem to belong to another view.  Until none does, views are
+#: drawn smaller, and in the middle of their panel, to the left, or to the right.
+STRAY = 0.16
 SIZES = tuple((share, side) for share in (1.0, 0.92, 0.85, 0.78) for side in (0.0, -1.0, 1.0))
 
 
@@ -79,13 +80,14 @@ def _views(setting: Setting) -> Sketch:
     """Return the views of one pose, smaller if their notes have no room beside them."""
     panel, room = setting.panel, setting.room
     usual = setting.scale or views_scale(setting, [panel])
-    kept = setting.scale or setting.centimetre
-    for share, side in SIZES[:1] if kept else SIZES:
-        about = room.centre + side * room.width / 2
-        sketch = Views(setting, [panel], usual.smaller(share, about)).draw()
-        if not sketch.crowded:
+    best = Views(setting, [panel], usual).draw()
+    for share, side in () if setting.scale or setting.centimetre else SIZES:
+        if best.astray <= STRAY:
             break
-    return sketch
+        about = room.centre + side * room.width / 2
+        other = Views(setting, [panel], usual.smaller(share, about)).draw()
+        best = min(best, other, key=lambda each: each.astray)
+    return best
 
 
 def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:

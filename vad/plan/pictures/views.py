@@ -352,7 +352,7 @@ def add_notes(sketch: Sketch, before: Sequence[complex] = ()) -> list[complex]:
         if not before:
             spot, free = _nearest(sketch.obstacles, best, (wide, high))
             asides.append(spot - best)
-            sketch.crowded = sketch.crowded or not free
+            sketch.astray = max(sketch.astray, abs(spot - best) if free else math.inf)
         centre = best + asides[number]
         sketch.add(None, Level.LABEL, setting.during(0), on_page(_rows(rows, centre)))
         box = Placed(centre, wide, high).box
