@@ -8,7 +8,9 @@ import vad
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.lettering.glyphs import width
-from vad.plan.scale import SHORTEST_BAR
+from vad.plan.marks import Lettering
+from vad.plan.page.heads import LEAST_SCALE, TITLE
+from vad.plan.scale import SCALE_SIZE, SHORTEST_BAR
 from vad.words import languages
 
 GAP = 0.015
@@ -27,3 +29,19 @@ def test_a_scale_bar_leaves_the_title_alone_and_can_be_measured_by(code, size, o
             right = title.at.real + width(title.runs, title.size)
             assert start.real >= right + GAP, (item.region, start.real - right)
             assert abs(end - start) >= SHORTEST_BAR, (item.region, abs(end - start))
+
+
+def test_title_and_scale_become_smaller_alike():
+    motion = vad.solve(vad.CrankSlottedLever(rod=100, ram_height=180))
+    board = plan(vad.draw(motion, language="de"), screen((1000, 720)), 0.058)
+    tight = 0
+    for item in board.shown(board.finished):
+        marks = [mark for mark in item.marks if isinstance(mark.shape, Lettering)]
+        sizes = {mark.role: mark.shape.size for mark in marks}
+        if item.region.endswith(" head") and sizes.keys() == {"words", "notes"}:
+            tight += sizes["words"] < TITLE - 1e-9
+            if sizes["notes"] > LEAST_SCALE:
+                assert sizes["words"] / TITLE == pytest.approx(
+                    sizes["notes"] / SCALE_SIZE, rel=0.02
+                )
+    assert tight

@@ -57,7 +57,8 @@ def head(
 ) -> list[Mark]:
     """Return the head of a panel; on paper it states what a centimetre stands for.
 
-    Its title is no larger than ``most``.
+    Its title is no larger than ``most``.  Where there is no room for both, the title and the words
+    of the scale become smaller alike.
     """
     if scale.bare:
         return _head(panel, place, most)
@@ -65,8 +66,9 @@ def head(
     title = bold(roman(panel.title))
     room = right - left - width(title, TITLE) - APART
     length, runs = stated(panel, scale, room, centimetre, notation)
-    beside = right - left - width(title, LEAST_TITLE) - APART - length - SCALE_GAP
-    size = fitted(runs, SCALE_SIZE, LEAST_SCALE, beside)
+    beside = right - left - APART - length - SCALE_GAP
+    share = min(1.0, beside / (width(title, TITLE) + width(runs, SCALE_SIZE)))
+    size = max(share * SCALE_SIZE, LEAST_SCALE)
     start = right - width(runs, size) - SCALE_GAP - length
     marks = _head(panel, place, fitted(title, most, LEAST_TITLE, start - APART - left))
     return [*marks, *bar_marks(length, runs, complex(start, place.title), size)]
