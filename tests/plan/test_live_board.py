@@ -55,7 +55,7 @@ def feet(pose: LivePose) -> list[float]:
         ("slider-crank", {"crank": 40.0}),
         ("four-bar", {"crank": 25.0}),
         ("crank-slotted-lever", {"crank": 60.0}),
-        ("whitworth", {"arm": 67.0}),
+        ("whitworth", {"crank": 70.0}),
     ],
 )
 def test_what_is_chosen_stands_while_a_dimension_changes(name, changed):

@@ -157,14 +157,14 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
                 layers[half.column] += polygon.lower_bar(halves.index(half.name), inker)
                 boxes.append([halves.index(half.name), *_box(polygon.bar_box, outputs)])
     polygons.sort(key=lambda polygon: polygon["mechanism"])
-    labels, nears = [], dict[tuple[float, ...], int]()
+    labels, nears = [], dict[tuple[tuple[float, ...], bool], int]()
     for label in board.labels:
         column = traced.sheet.panel(label.panel).column
         element = inker.mark(text_at(label.runs, label.runs, 0j, label.size, label.role, label.row))
         since = begun.of(label.panel, label.stroke)
         layers[column] += f'<g class="label"{since}>{element}</g>'
         near = tuple(round(gap + label.radius, 5) for gap in label.near)
-        wish = _wish(label, nears.setdefault(near, len(nears)), outputs)
+        wish = _wish(label, nears.setdefault((near, label.led), len(nears)), outputs)
         labels.append([halves.index(label.panel), *wish])
     blocks = [
         [halves.index(name), *outputs.listed((start, end)), round(half, 5)]
@@ -198,7 +198,9 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
         "moves": moves,
         "labels": labels,
         "spelled": [spelled(_AGAIN.sub("", label.name), sheet.language) for label in board.labels],
-        "nears": [[[*near, *(near[0] + far for far in _FAR)], len(near)] for near in nears],
+        "nears": [
+            [[*near, *(near[0] + far for far in _FAR if led)], len(near)] for near, led in nears
+        ],
         "leader": leader.partition('class="')[2].partition('"')[0],
         "blocks": blocks,
         "boxes": boxes,

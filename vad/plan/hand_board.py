@@ -20,9 +20,10 @@ from vad.kinematics.numbers import direction, fold
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import TracedVector
 from vad.lecture.poles import HandPoles, hand_poles
+from vad.plan.anchors import Anchor
 from vad.plan.format import Format
 from vad.plan.items import Item
-from vad.plan.labels.choices import VALUE, VALUE_NEAR
+from vad.plan.labels.choices import RATE, RATE_NEAR, VALUE, VALUE_NEAR
 from vad.plan.labels.vertices import GAPS, LETTER, SMALL_SIZE, Vertex, wish
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman, symbols
@@ -83,6 +84,8 @@ class Label:
         That of the dot there.
     near
         The distances at which it may stand, the best first.
+    led
+        Whether it may be farther off, with a leader.
     way
         The direction in which it would best stand in the traced pose, a unit vector.
     apart
@@ -107,6 +110,7 @@ class Label:
     way: complex
     apart: Sequence[complex] = ()
     value: float | None = None
+    led: bool = True
 
 
 @dataclass
@@ -149,6 +153,14 @@ class NamedLabels:
         row, middle = sketch.setting.row(stroke.link), (start + end) / 2
         self._note(name, stroke.name, symbols(name), middle, across, GAPS, SMALL_SIZE, "tag", row)
         self.found[-1] = replace(self.found[-1], apart=(start, end))
+
+    def rate(self, sketch: Sketch, index: int, hung: Anchor, arrow: Bow, name: str) -> None:
+        """Note the name of the arrow of a rate, which stands about ``hung``."""
+        stroke = sketch.setting.panel.strokes[index]
+        way, row = _ray(arrow.start + 0.5 * arrow.sweep), sketch.setting.row(stroke.link)
+        at = arrow.centre + arrow.radius * way
+        self._note(f"rate {name}", stroke.name, symbols(name), at, way, RATE_NEAR, RATE, "tag", row)
+        self.found[-1] = replace(self.found[-1], led=False)
 
     def _note(
         self,

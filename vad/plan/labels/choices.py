@@ -48,6 +48,9 @@ ANGLE_CHOICES = ((VALUE, True), (VALUE, False), (VALUE * SMALLER, True), (VALUE 
 #: While the driver is turned by hand, a value may be farther off than a letter, because its arc and
 #: an arrow take the near places.
 VALUE_NEAR = (0.014, 0.020, 0.028, 0.036, 0.050, 0.070, 0.090)
+#: The size of the name of a given rate, and how far from its arrow it may stand then.
+RATE = 0.033
+RATE_NEAR = (0.011, 0.017, 0.024, 0.034)
 
 #: Where labels stand from what they name, in degrees, by what they say.
 Ways = Mapping[str, float]
@@ -66,6 +69,16 @@ class LabelChoice(Protocol):
 
     def vector(self, sketch: Sketch, index: int, name: str) -> None:
         """Add the name of the vector that stroke ``index`` draws, beside its middle."""
+
+
+class MovingLabels(LabelChoice, Protocol):
+    """The same for what a hand moves, where an arrow stands still while links pass below it."""
+
+    def rate(self, sketch: Sketch, index: int, hung: Anchor, arrow: Bow, name: str) -> None:
+        """Add the name of the curved arrow of a rate of stroke ``index``, best outside of it.
+
+        ``hung`` is the anchor about which the arrow stands.
+        """
 
 
 class PlacedLabels:
@@ -174,6 +187,15 @@ class KeptLabels:
         wanted = Wish((start + end) / 2, across, *ink_size(runs, SMALL_SIZE), near=GAPS)
         row = sketch.setting.row(stroke.link)
         self._add(sketch, name, runs, SMALL_SIZE, wanted, (ends[0], start), "tag", row)
+
+    def rate(self, sketch: Sketch, index: int, hung: Anchor, arrow: Bow, name: str) -> None:
+        """Add a name; see `MovingLabels`."""
+        row = sketch.setting.row(sketch.setting.panel.strokes[index].link)
+        way = cmath.rect(1.0, math.radians(arrow.start + 0.5 * arrow.sweep))
+        size = ink_size(symbols(name), RATE)
+        wanted = Wish(arrow.centre + arrow.radius * way, way, *size, near=RATE_NEAR)
+        hung_at = hung, arrow.centre
+        self._add(sketch, f"rate {name}", symbols(name), RATE, wanted, hung_at, "tag", row)
 
     def _add(
         self,

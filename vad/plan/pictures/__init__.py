@@ -13,7 +13,7 @@ from dataclasses import replace
 from typing import Protocol
 
 from vad.plan.geometry import Rect
-from vad.plan.labels.choices import PLACED, LabelChoice
+from vad.plan.labels.choices import PLACED, LabelChoice, MovingLabels
 from vad.plan.pictures import polygon
 from vad.plan.pictures.lenses import with_lenses
 from vad.plan.pictures.skeleton import Skeleton, angle_centre
@@ -49,7 +49,7 @@ class Picture(Protocol):
     def pose(self, panel: Panel) -> Sketch:
         """Return what moves, in one pose: a frame of a turn, without its labels."""
 
-    def under_hand(self, setting: Setting, labels: LabelChoice) -> Sketch:
+    def under_hand(self, setting: Setting, labels: MovingLabels) -> Sketch:
         """Return what moves, in one pose that a hand has set, with its labels."""
 
 

@@ -16,6 +16,7 @@ import numpy as np
 from vad.kinematics.numbers import direction, fold
 from vad.plan.anchors import RIGHT, Anchor, AngleArc, Arch, Area, Hung, Term
 from vad.plan.items import Level
+from vad.plan.labels.choices import RATE, MovingLabels
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside, beyond_circle
 from vad.plan.labels.vertices import text_beside
@@ -26,13 +27,13 @@ from vad.plan.pictures import machine
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH, Vector
 from vad.plan.reach import is_yoke
 from vad.plan.roles import ROLES
+from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arc, Arrow, Stroke
+from vad.strokes.sheet import Arc, Arrow, Panel, Stroke
 
 RADIUS = 0.088
 SHARE_OF_CRANK = 0.9
 SHARE_IN_YOKE = 0.6  # where slot and block hide what is farther out
-SIZE = 0.033
 SENSE_SIZES = (  # radius and span, the best first
     (0.062, 78.0),
     (0.074, 78.0),
@@ -61,19 +62,32 @@ SPEED_PLACES = sorted(
 
 def angle_arcs(sketch: Sketch) -> list[tuple[int, Hung]]:
     """Return the arcs of angles with the numbers of their strokes, of which labels keep clear."""
-    panel = sketch.setting.panel
-    yoke = any(is_yoke(panel, other.link) for other in panel.strokes)
-    share = SHARE_IN_YOKE if yoke else SHARE_OF_CRANK
-    found = []
+    panel, found = sketch.setting.panel, []
     for index, stroke in enumerate(panel.strokes):
         if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
-            radius = min(RADIUS, share * stroke.shape.radius * sketch.scale.factor)
+            radius = _radius(panel, stroke.shape, sketch.scale)
             arc = AngleArc(stroke.name, radius, sketch.setting.room)
             found.append((index, Hung(arc, "angle", growth=Trimming())))
             bow = arc.posed(sketch.solved)
             # While it is turned by hand, the arc has as many pieces in every pose.
             step = abs(float(bow.sweep)) / PIECES if sketch.finished and bow.sweep else 8.0
             sketch.obstacles.line(bow.line(step), LINE / 2)
+    return found
+
+
+def _radius(panel: Panel, shape: Arc, scale: Scale) -> float:
+    yoke = any(is_yoke(panel, other.link) for other in panel.strokes)
+    share = SHARE_IN_YOKE if yoke else SHARE_OF_CRANK
+    return min(RADIUS, share * shape.radius * scale.factor)
+
+
+def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
+    """Return obstacles, to which the arcs of the angles of a pose are added."""
+    found = obstacles.copy()
+    for shape in (stroke.shape for stroke in panel.strokes if stroke.kind == "angle"):
+        if isinstance(shape, Arc) and shape.sweep:
+            radius = _radius(panel, shape, scale)
+            found.line(Bow(scale(shape.centre), radius, shape.start, shape.sweep).line(), LINE / 2)
     return found
 
 
@@ -98,7 +112,7 @@ class SensePlace:
 
     def letter(self, centre: complex, name: str = "ω") -> Placed:
         """Return the place of its ω, or of another name."""
-        wide, high = ink_size(symbols(name), SIZE)
+        wide, high = ink_size(symbols(name), RATE)
         out = cmath.exp(1j * math.radians(self.middle))
         return Placed(centre + beyond_circle(out, self.radius + 0.010, wide, high), wide, high)
 
@@ -198,8 +212,17 @@ def rate_of(sketch: Sketch) -> str:
     return ", ".join(alike) or "ω"
 
 
-def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlace) -> None:
-    """Add the arrow of the given ω, if there is one, at its place about the centre of an angle."""
+def add_sense(
+    sketch: Sketch,
+    index: int | None,
+    angle: Stroke,
+    place: SensePlace,
+    labels: MovingLabels | None = None,
+) -> None:
+    """Add the arrow of the given ω, if there is one, at its place about the centre of an angle.
+
+    Its name stands outside of it, or where ``labels`` have room for it.
+    """
     setting, driver = sketch.setting, sketch.setting.sheet.driver
     if index is None or not driver.omega:
         return
@@ -207,7 +230,6 @@ def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlac
     sense = driver.omega / abs(driver.omega)  # no number at rest: then nothing of it is anywhere
     at, sweep = sketch.solved.place(centre) * abs(sense), place.span * sense
     name = rate_of(sketch)
-    letter, runs = place.letter(at, name), symbols(name)
     bow, head = curved_arrow(place.radius, place.middle, sweep)
     arrow = [
         Hung(Arch(centre, bow.radius, bow.start, bow.sweep), "sense", row),
@@ -215,10 +237,15 @@ def add_sense(sketch: Sketch, index: int | None, angle: Stroke, place: SensePlac
     ]
     posed = (mark.posed(sketch.solved) for mark in arrow)
     marks = [mark for mark in posed if mark]
-    marks.append(text_beside(centre, at, runs, letter.centre, SIZE, "tag", row))
+    if labels is None:
+        letter = place.letter(at, name)
+        marks.append(text_beside(centre, at, symbols(name), letter.centre, RATE, "tag", row))
+        sketch.tags.append(Tag(name, letter.box))
+        sketch.obstacles.box(letter.box)
     sketch.add(setting.panel.strokes[index], Level.LABEL, setting.after(index), marks)
-    sketch.tags.append(Tag(name, letter.box))
-    sketch.obstacles.box(letter.box)
+    if labels:
+        whole = Bow(at, place.radius, place.middle - place.span / 2, place.span)
+        labels.rate(sketch, index, centre, whole, name)
 
 
 def block_sense(sketch: Sketch, angle: Stroke, place: SensePlace) -> None:
@@ -275,7 +302,7 @@ def add_speed(sketch: Sketch, size: float) -> None:
     solved = sketch.solved
     way, place = solved.way(stroke.name), solved.place(middle) * abs(sense)
     runs = symbols("v")
-    wide, high = ink_size(runs, SIZE)
+    wide, high = ink_size(runs, RATE)
     for (aside, past), left in itertools.product(SPEED_PLACES, (1j, -1j)):
         off = (half + aside) * left * along + past * along
         at = place + (half + aside) * left * way + past * way
@@ -291,7 +318,7 @@ def add_speed(sketch: Sketch, size: float) -> None:
             tail = middle + (off - SPEED_LENGTH / 2 * sense * along)
             arrow = Vector(tail, tail + SPEED_LENGTH * sense * along, whole=True)
             marks = arrow.marks(solved, row, "speed", grows=False)
-            marks.append(text_beside(middle, place, runs, spot, SIZE, "tag", row))
+            marks.append(text_beside(middle, place, runs, spot, RATE, "tag", row))
             sketch.add(stroke, Level.LABEL, setting.after(number), marks)
             placed = Placed(spot, wide, high)
             sketch.tags.append(Tag("v", placed.box))

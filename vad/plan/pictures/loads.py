@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from vad.plan.anchors import RIGHT, Anchor, Arch, Area, Hung
 from vad.plan.geometry import direction_of
 from vad.plan.items import Level
+from vad.plan.labels.choices import RATE
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Placed, Wish, place
 from vad.plan.labels.vertices import leader_of, text_beside
@@ -63,7 +64,7 @@ def free_couple(sketch: Sketch, index: int) -> tuple[angles.SensePlace, Placed]:
     line, crowd = arrow.line(centre), obstacles.copy()
     crowd.line(line, LINE)
     middle = line[len(line) // 2]
-    size = ink_size(symbols(stroke.label), angles.SIZE)
+    size = ink_size(symbols(stroke.label), RATE)
     return arrow, place(crowd, Wish(middle, direction_of(centre, middle), *size, near=NAME_NEAR))
 
 
@@ -114,7 +115,7 @@ def add_couple(
     letter, runs = letter or arrow.letter(at, stroke.label), symbols(stroke.label)
     marks = [Hung(Area(tuple(centre + RIGHT * corner for corner in head)), "head", row)]
     sketch.hang(index, Level.BLOCK, marks, since="after")
-    name = text_beside(centre, at, runs, letter.centre, angles.SIZE, "tag", row)
+    name = text_beside(centre, at, runs, letter.centre, RATE, "tag", row)
     leader = [leader_of(centre, at, letter.leader)] if letter.leader else []
     sketch.add(stroke, Level.LABEL, setting.after(index), [*leader, name])
     sketch.tags.append(Tag(stroke.label, letter.box))

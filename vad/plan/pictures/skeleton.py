@@ -13,7 +13,7 @@ from functools import cached_property
 
 from vad.plan.anchors import SWELLING, Anchor, Hung, Solved
 from vad.plan.items import Level
-from vad.plan.labels.choices import PLACED, LabelChoice
+from vad.plan.labels.choices import PLACED, LabelChoice, MovingLabels
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import Vertex, find_vertices, vertices_by_letter
 from vad.plan.pictures import angles, machine, supports
@@ -184,7 +184,8 @@ class Skeleton:
         centres = [
             self.scale(centre) for centre in map(angle_centre, self._poses) if centre is not None
         ]
-        crowds = self.crowds
+        posed = zip(self.crowds, self._poses, strict=True)
+        crowds = [angles.with_angles(crowd, pose, self.scale) for crowd, pose in posed]
         return angles.calm_place(zip(centres, crowds, strict=True)) if centres else None
 
     @cached_property
@@ -194,7 +195,7 @@ class Skeleton:
             return self._before.couples
         return calm_couples(self._poses, self.crowds, self.scale)
 
-    def under_hand(self, setting: Setting, labels: LabelChoice) -> Sketch:
+    def under_hand(self, setting: Setting, labels: MovingLabels) -> Sketch:
         """Return what moves, in one pose that a hand has set, with all that is written about it.
 
         What is driven has a handle, of which labels keep clear.
@@ -209,10 +210,11 @@ class Skeleton:
         if arcs and self.sense:
             index = setting.panel.find(setting.sheet.driver.stroke)
             angle = setting.panel.strokes[arcs[0][0]]
-            angles.add_sense(sketch, index, angle, self.sense)
             angles.block_sense(sketch, angle, self.sense)
         clear_grip(sketch)
         self._letter(sketch, vertices, labels, arcs)
+        if arcs and self.sense:
+            angles.add_sense(sketch, index, angle, self.sense, labels)
         return sketch
 
     def _add_strokes(self, sketch: Sketch, alone: bool = False, couples: bool = True) -> None:
