@@ -233,7 +233,11 @@ def test_what_is_wrong_is_said_and_nothing_changes(page: Page) -> None:
         ("{ angle: '3' }", "angle: must be a finite number"),
         ("{ angle: NaN }", "angle: must be a finite number, got NaN"),
         ("{ angle: [3] }", "angle: must be a finite number"),
-        ("{ assembly: 'parallel' }", 'assembly: must be "open" or "crossed", got "parallel"'),
+        (
+            "{ assembly: 'parallel' }",
+            'assembly: must be "open" or "crossed" in this page, got "parallel"',
+        ),
+        ("{ assembly: 'left' }", 'assembly: must be "open" or "crossed" in this page, got "left"'),
         ("null", "must be an object"),
         ("[1]", "must be an object"),
         ("{ __proto__: null, constructor: 3 }", "constructor: this page has no such input"),

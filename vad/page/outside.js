@@ -29,7 +29,8 @@ function outside(root, body, dock, player) {
     for (const [name, value] of Object.entries(asked)) {
       if (name === "assembly") {
         const number = wayOf(value), known = ways[0] === null ? any : ways;
-        if (number < 0) return wrong(filled(words.assembly, { names: known.map(quoted).join(words.or), value: quoted(value) }));
+        if (number < 0) return wrong(filled(words.assembly, { names: known.map(quoted).join(words.or), value: quoted(value) }),
+          data.elsewhere.includes(value) && filled(words["other-page"], { value }));
         found.splice(0, found.length, ...body.assembled(number, found));
         continue;
       }

@@ -6,6 +6,7 @@ The factors of its loops are inputs of the page's program: so the page shows all
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import fields
 from typing import Any
 
 from vad.kinematics.assemblies import assemblies
@@ -34,10 +35,10 @@ def ways(board: HandBoard, language: str, output: Callable[[float], int]) -> dic
     -------
     dict
         ``assemblies``: of each its name in JSON, and its factors, the mechanism's own first.
-        ``sides``: the places of these factors among the inputs.  ``places``: of each point that is
-        placed, or of "" for the whole mechanism, the words that its assemblies have for it, each
-        with its name.  ``limits``: an output that is zero where links part, and how
-        they stand there.
+        ``elsewhere``: those that only another page has.  ``sides``: the places of these factors
+        among the inputs.  ``places``: of each point that is placed, or of "" for the whole
+        mechanism, the words that its assemblies have for it, each with its name.  ``limits``: an
+        output that is zero where links part, and how they stand there.
     """
     mechanism, words = board.mechanism, Language(language).page("WINDOW")
     traced = list(board.traced.inputs)
@@ -50,7 +51,12 @@ def ways(board: HandBoard, language: str, output: Callable[[float], int]) -> dic
             {"": way.name} if isinstance(way.name, str) else way.name or {}
         ).items():
             places.setdefault(point, {})[word] = words.get(word, word)
+    shown = [way.name for way in known]
+    choices = next(each.metadata for each in fields(mechanism) if each.name == "assembly")
     return {
+        "elsewhere": [
+            each for each in choices.get("choices", ()) if shown != [None] and each not in shown
+        ],
         "assemblies": [[way.name, each] for way, each in zip(known, factors, strict=True)],
         "sides": [traced.index(name) for name in sides],
         "places": [[point, list(each.items())] for point, each in places.items()],
