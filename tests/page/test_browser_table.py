@@ -9,7 +9,7 @@ from playwright.sync_api import Browser, Page, expect
 
 import vad
 from tests.browser import opened
-from tests.page.lessons import show
+from tests.page.lessons import press, show
 from vad.files.examples import example_path
 from vad.page.document import document
 
@@ -38,7 +38,9 @@ _WALK = """() => {
 def opened_hand(page: Page, folder: Path, name: str) -> None:
     """Show a mechanism in the hand."""
     kind = vad.MECHANISMS.get(name) or vad.load(example_path(name))
-    show(page, folder, document(vad.animate(vad.draw(vad.solve(kind())))), "#hand")
+    show(page, folder, document(vad.animate(vad.draw(vad.solve(kind())))), "#step=99")
+    press(page, "End", "h")
+    expect(page.locator(".turned:not(.staged)")).to_have_count(1)
 
 
 @pytest.mark.parametrize("name", ["spatial-four-bar", "oscillating-cylinder", "double-slider"])

@@ -135,9 +135,9 @@ function picture(root, solve, data) {
   // Numbers that grow beyond their column get smaller type, and keep it: only what is longer than all
   // before is measured.
   const APART = 8, SIGNS = { ".": 1, ",": 1, "\u202f": 0.6, "−": 2.8 }, longest = new Map();
-  addEventListener("resize", () => longest.clear());
   const fitting = tables.flat().filter((column) => column.firstElementChild?.children.length);
   function fit() {
+    if (root.classList.contains("staged")) return; // there, columns are as wide as their numbers
     const measured = fitting.flatMap((column) => {
       const [box] = column.children, long = [...column.textContent].reduce((sum, sign) => sum + (SIGNS[sign] ?? 2), 0);
       if (long <= (longest.get(column) ?? 0) || !box.clientWidth) return [];
@@ -148,6 +148,17 @@ function picture(root, solve, data) {
     for (const [{ style }, part] of measured)
       if (part < 1) style.setProperty("--fit", part * (style.getPropertyValue("--fit") || 1));
   }
+
+  // A table that is wider or narrower than before is measured anew.
+  const table = root.querySelector(".results");
+  let across = 0;
+  if (table) new ResizeObserver(() => {
+    if (table.clientWidth === across) return;
+    across = table.clientWidth;
+    longest.clear();
+    for (const { style } of fitting) style.removeProperty("--fit");
+    fit();
+  }).observe(table);
 
   // What is nothing beside the largest of its unit, in the table or as a vector, is rounding noise.
   const NOTHING = 1e-12;
