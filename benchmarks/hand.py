@@ -8,6 +8,11 @@ others on the machine disturb less, and how many questions a drag asks: it shoul
 What a move takes contains what the browser takes to be driven from outside, more than a millisecond
 on an empty page, and the frames in which the picture glides on after it.  So the time of a single
 frame is stated, too: the page makes one move in each of many frames by itself.
+
+A picture can be seen at the next frame of the display at the earliest, and a pointer moves at any
+time between two frames.  So the moves are spread evenly over the time of a frame.  Otherwise each
+would follow the end of a frame after a fixed pause of about three frames, and a page whose frame
+ends a little sooner or later would wait for nearly no time or for a whole frame each time.
 """
 
 from __future__ import annotations
@@ -25,7 +30,10 @@ import vad
 from benchmarks.common import RESULTS, three, write_csv
 from tests.browser import launched, opened, until
 
-MOVES, FIRST, REST = 60, 10, 0.04  # the first ones load what is kept; seconds between two
+MOVES, FIRST, REST = 60, 10, 0.04  # the first ones load what is kept; seconds between two, at least
+#: The rest of the pause is a share of a frame.  That of each move, by its number: evenly spread,
+#: however many there are.
+FRAME, SPREAD = 1 / 60, (math.sqrt(5) - 1) / 2
 #: Of each frame, in milliseconds: when the newest move that it shows was made, and when it ended.
 _WATCH = """() => {
   window.frames_ = [];
@@ -44,15 +52,16 @@ _WATCH = """() => {
 }"""
 
 
-#: Makes one move in each of so many frames.
+#: Makes one move in each of so many frames.  As with a pointer's move, the page hears of it before
+#: its own animations run: the next step is asked for before the page asks for the next of these.
 _FRAMES = """([x, y, count]) => new Promise((done) => {
   const ring = document.querySelector("[data-vad-grip]");
   const step = () => {
     const turn = 2 * Math.PI * count / 60, bubbles = true, pointerId = 1;
     const [clientX, clientY] = [x + 12 * Math.sin(turn), y + 12 * Math.cos(turn) - 12];
+    if (count) requestAnimationFrame(step);
     ring.dispatchEvent(new PointerEvent("pointermove", { clientX, clientY, bubbles, pointerId }));
-    if (count--) requestAnimationFrame(step);
-    else done();
+    if (!count--) done();
   };
   requestAnimationFrame(step);
 })"""
@@ -107,7 +116,7 @@ def measured(browser: object, name: str) -> tuple[np.ndarray, float, float, int]
                     page.on("request", lambda request: asked.append(request.url))
                 turn = math.tau * number / MOVES
                 page.mouse.move(x + 12 * math.sin(turn), y + 12 * math.cos(turn) - 12)
-                time.sleep(REST)  # in Python, not in the page
+                time.sleep(REST + number * SPREAD % 1 * FRAME)  # in Python, not in the page
             after = page.evaluate("frames_.length"), painting(metrics)
             times = np.array(page.evaluate("frames_"))[before[0] : after[0]]
             questions = len(asked)
