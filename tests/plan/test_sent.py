@@ -10,6 +10,7 @@ import pytest
 import vad
 from tests.plan.overlaps import KEY
 from tests.plan.test_flights import moving
+from vad.files.examples import example_path
 from vad.lecture.moment import moments
 from vad.plan.format import screen
 from vad.plan.items import CAPTION, FLIGHT, Item
@@ -67,6 +68,25 @@ def test_a_number_leaves_its_caption_and_its_arrow_stays(name: str, scene: int):
             assert end.shape.centre == pytest.approx(mark.shape.centre)
             assert end.shape.sweep == pytest.approx(mark.shape.sweep)
             assert mark.shape in [each.shape for each in stays.marks]
+
+
+def test_a_number_without_room_at_its_link_flies_to_its_row():
+    sheet = vad.draw(vad.solve(vad.load(example_path("watt-1"))()))
+    stage = Stage(sheet, screen((1024, 768)), KEY, travels(sheet))
+    plan = stage.scene(2)
+    crowded = [i for i in sent_of(stage, 2) if len(i.marks) == 1 and i.marks[0].role == "letter"]
+    assert {item.stroke for item in crowded} & found_rates(sheet)
+    for item in crowded:
+        [mark] = item.marks
+        rows = [i.marks[0].shape for i in plan.items if i.stroke == item.stroke and i.grows]
+        row = next(each for each in rows if isinstance(each, Lettering) and each != mark.shape)
+        near = mark.at(23 / 24)
+        assert near and isinstance(near.shape, Lettering)
+        assert near.shape.size == pytest.approx(row.size)
+        ends = [each.at.real + width(each.runs, each.size) for each in (near.shape, row)]
+        assert ends[0] == pytest.approx(ends[1])
+        assert near.shape.at.imag == pytest.approx(row.at.imag)
+        assert mark.at(1.0) is None
 
 
 def test_an_arrow_keeps_its_length_and_its_head():

@@ -28,7 +28,7 @@ from vad.plan.page.changing import caption_lines, captions, numbers_said
 from vad.plan.page.heads import head, pale, title_marks
 from vad.plan.page.work import in_work
 from vad.plan.pictures.senses import found_senses
-from vad.plan.pictures.sent import sent
+from vad.plan.pictures.sent import sent, to_rows
 from vad.plan.reach import corners
 from vad.plan.scene_layout import SceneLayout, lay_out_scene
 from vad.plan.sketch import Sketch
@@ -146,14 +146,16 @@ class Stage:
             for half in large.halves:
                 sketches[half.name] = sketches[half.name].mapped(factor, shift)
             drawn = list(pictures(sketches, layout.regions[FLIGHT], self._travels))
-        senses = found_senses(sketches)
-        if self._travels is not None:
-            senses = sent(senses, numbers_said(sheet, self._captions(sketches)))
+        senses, flies = list(found_senses(sketches)), self._travels is not None
+        work = list(in_work(sheet, large, sketches, layout.work, self._key, flies))
+        if flies:
+            numbers, shown = numbers_said(sheet, self._captions(sketches)), senses
+            senses = [*sent(shown, numbers), *to_rows(work, shown, numbers)]
         items = [
             *drawn,
             *senses,
             *self._heads(layout, sketches),
-            *in_work(sheet, large, sketches, layout.work, self._key, self._travels is not None),
+            *work,
         ]
         regions = layout.regions
         ordered = _in_scene(in_painting_order(items, regions), number)

@@ -58,6 +58,38 @@ def sent(senses: Iterable[Item], numbers: Mapping[str, tuple[Lettering, int]]) -
         yield replace(item, since=item.since + 1)
 
 
+def to_rows(
+    rows: Iterable[Item], senses: Iterable[Item], numbers: Mapping[str, tuple[Lettering, int]]
+) -> Iterator[Item]:
+    """Yield the flights of numbers to rows of the results, where a link has no room for an arrow.
+
+    Parameters
+    ----------
+    rows
+        What stands there; what a stroke has just found grows.
+    senses, numbers
+        As for `sent`.
+    """
+    done = {item.stroke for item in senses}
+    for item in rows:
+        mark = item.marks[0]
+        if not item.grows or item.stroke not in numbers.keys() - done:
+            continue
+        assert isinstance(mark.shape, Lettering)
+        done.add(item.stroke)
+        (number, said), goal = numbers[item.stroke], mark.shape
+        size = goal.size / number.size
+        end = goal.at + width(goal.runs, goal.size) - width(number.runs, goal.size)
+        legs = []
+        for share in _shares():
+            part = _part(share, LEAVES, BENT)
+            spot, ink = _between(number.at, end, part), 1.0 - _part(share, BENT, 1.0)
+            legs.append(Leg(share, spot - number.at, 1.0 + (size - 1.0) * part, 0.0, ink))
+        flies = Mark(number, "letter", growth=Flying(number.at, tuple(legs)))
+        span = item.since, item.since + 1
+        yield Item(item.stroke, FLIGHT, item.level, (flies,), *span, (said, FOREVER))
+
+
 def _flying(marks: Iterable[Mark], number: Lettering) -> Iterator[Mark]:
     """Yield the marks of a sense on their way, and the number that comes with them."""
     *arrow, name = marks
