@@ -220,8 +220,8 @@ export function mount(root, data, { address = true } = {}) {
     caption.dataset.said = 1 + starts.filter((start) => start <= past).length;
   }
 
-  // On a wide page one panel is large; -1 is the whole sheet. All that stands elsewhere then goes
-  // there, at once or as a move.
+  // On a wide page one panel is large; -1 is the whole sheet. Drawings that then stand elsewhere go
+  // there, at once or as a move; headings and table, which would cross, fade in.
   function stage(panel, atOnce) {
     if (!lesson.move.length) panel = -1;
     if (panel === staged && !atOnce) return;
@@ -236,9 +236,8 @@ export function mount(root, data, { address = true } = {}) {
     moved.forEach((each, i) => {
       const { left, top, width } = each.getBoundingClientRect(), from = boxes[i];
       if (atOnce || !width || !from.width) return;
-      const share = pictures.includes(each) ? from.width / width : 1;
-      const begin = { transformOrigin: "0 0", transform: `translate(${from.left - left}px,${from.top - top}px) scale(${share})` };
-      each.animate(calm.matches ? [{ opacity: 0 }, {}] : [begin, { transformOrigin: "0 0" }], {
+      const begin = { transformOrigin: "0 0", transform: `translate(${from.left - left}px,${from.top - top}px) scale(${from.width / width})` };
+      each.animate(calm.matches || !pictures.includes(each) ? [{ opacity: 0 }, {}] : [begin, { transformOrigin: "0 0" }], {
         duration: calm.matches ? 200 : 1000 * lesson.move[0] / speed.value, easing: "cubic-bezier(.333,0,.667,1)",
       });
     });
