@@ -13,8 +13,8 @@ import click
 from click.shell_completion import CompletionItem
 
 from vad.cli.options import build, kind_of, mechanism_options, own_option
-from vad.cli.sheet_words import with_sheet
 from vad.errors import UsageError, VadError, unknown
+from vad.files.examples import EXTENSION
 from vad.mechanisms import Mechanism, mechanism_names
 
 #: Under what name click's context holds the options of the format that is written.
@@ -114,7 +114,10 @@ class MechanismGroup(click.Group):
         else:
             args = [args[place], *args[:place], *args[place + 1 :]]
             over = any(word.startswith("--over") for word in args)
-            args = with_sheet(args, moved=self.ranged and not over)
+            if args[0].endswith(EXTENSION):
+                from vad.cli.sheet_words import with_sheet  # most names are those of no file
+
+                args = with_sheet(args, moved=self.ranged and not over)
         return super().parse_args(ctx, args)
 
     def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:

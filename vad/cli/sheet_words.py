@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from vad.cli.options import flag, option_name
-from vad.files.examples import EXTENSION
+from vad.files.sheet_file import sheet_in, sheet_of
+from vad.files.tables import text_of
 from vad.mechanisms import MECHANISMS
 
 
@@ -20,7 +21,7 @@ def with_sheet(args: Sequence[str], moved: bool = False) -> list[str]:
     Parameters
     ----------
     args
-        The words.
+        The words; the first one is the name of a file.
     moved
         Whether the driver moves, so that the place where the file has it is left out.
 
@@ -30,11 +31,6 @@ def with_sheet(args: Sequence[str], moved: bool = False) -> list[str]:
         For a file that cannot be read; with its line, for a sheet of more than one pose.
     """
     name, *rest = args
-    if not name.endswith(EXTENSION):
-        return [*args]
-    from vad.files.sheet_file import sheet_in, sheet_of  # most names are those of no file
-    from vad.files.tables import text_of
-
     source = sheet_in(text_of(name), Path(name).name)
     if source is None:
         return [*args]
