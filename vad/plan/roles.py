@@ -90,6 +90,7 @@ ROLES: dict[str, Role] = {
     # the mechanism
     "bar": Role(line="row", width=BAR, cap="round", linked=True),
     "bar light": _light(BAR),
+    "bar casing": Role(line="ground", width=0.68 * BAR, cap="round"),
     "piston rod": Role(line="row", width=0.0052, linked=True),
     "slit": Role(fill="ground", line="row", width=0.0030, join="round"),
     "plate": Role(fill="row", alpha=0.15),

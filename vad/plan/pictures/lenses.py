@@ -283,7 +283,11 @@ def _words(sketch: Sketch, close: Close) -> Words:
 def _corners(
     sketch: Sketch, taken: Obstacles, close: Close, radii: Sequence[float]
 ) -> Iterator[Spot]:
-    """Yield the best place of a lens of each of the ``radii`` that has one."""
+    """Yield the best place of a lens of each of the ``radii`` that has one.
+
+    Those whose leaders lie on no stroke come first.
+    """
+    crossing: list[Spot] = []
     setting, room = sketch.setting, sketch.setting.room
     words, obstacles = _words(sketch, close), taken.during((close.since, FOREVER))
     across = np.arange(room.left, room.right, STEP)
@@ -311,8 +315,11 @@ def _corners(
                     break
             if best and best[0] == 0.0:
                 break
-        if best:
+        if best and best[0]:
+            crossing.append(best[1])
+        elif best:
             yield best[1]
+    yield from crossing
 
 
 def _price(obstacles: Obstacles, room: Rect, spot: Spot) -> float | None:

@@ -20,7 +20,7 @@ from vad.plan.roles import BAR, BLOCK_RIM, PLATE_EDGE
 from vad.plan.sketch import Part, Piece, Sketch
 from vad.strokes.sheet import Arrow, Block, Guide, Panel, Plate, Stroke
 
-NARROW = 0.6  # of a bar's width, on a longer bar
+NARROW = 0.42  # of a bar's width, on a longer bar
 NEXT_TO_PIVOT = 2.0  # the reaches of a joint, from a lever's pivot to its slit
 SLOT_EDGE = 0.004  # from the lower and the upper edge of the room, a slot ends
 LIGHT_AND_BLOCK = ("block light", "block")
@@ -86,6 +86,8 @@ class Links:
             blocks.append(((*corners, corners[0]), BLOCK_RIM / 2))
         if seen:
             role = "piston rod" if shape.cylinder else "bar"
+            if narrow:
+                shown.append(Hung(Chains(((seen, end),)), "bar casing", None, Trimming()))
             shown.append(Hung(Chains(((seen, end),)), role, row, Trimming(), width))
             if shape.cylinder:
                 shown.append(Hung(Area(tuple(corners)), "block", row, Fading()))

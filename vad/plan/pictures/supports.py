@@ -37,8 +37,7 @@ WAYS = (-1j, -1 + 0j, 1 + 0j, 1j)
 PAST = 0.014  # by which guides are longer than their block's way
 EDGE = 0.010  # from the lower and the upper edge of the room, a guide ends
 YOKE_GAP = 0.012  # between the slot of a yoke, farthest ahead, and its guide
-YOKE_HELD = 0.035  # of its shaft, farthest back
-YOKE_GUIDE = 0.085
+YOKE_GUIDE, YOKE_PAST = 0.034, 0.009  # the guide, and the shaft past it, farthest back
 SIZE = 0.030
 NEAR = 0.064  # from the guide
 CLEAR = 0.024  # from the outermost stroke
@@ -356,7 +355,7 @@ def yoke_of(panel: Panel, link: str | None, size: float) -> Yoke:
     bush = Anchor.of(guide.name, "through") + Term(guide.name).in_panel(along)
     return Yoke(
         start=at + half * way,
-        end=at + way.in_panel(far) + (half + YOKE_GAP + YOKE_HELD) * way,
+        end=at + way.in_panel(far) + (half + YOKE_GAP + YOKE_GUIDE * size + YOKE_PAST) * way,
         way=way,
         bush=bush + (half + YOKE_GAP) * frame,
         frame=frame,
