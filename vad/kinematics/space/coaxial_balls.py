@@ -7,7 +7,7 @@ velocity is known what it has beside that of a point on the crank, and of ω₄ 
 from __future__ import annotations
 
 import math
-from dataclasses import astuple
+from dataclasses import fields
 
 from vad.kinematics.numbers import Number
 from vad.kinematics.space.ball_closure import BallClosure, BallPose, Rate
@@ -20,7 +20,8 @@ NEAR = 0.1
 
 def coaxial(sizes: BallJointed) -> bool:
     """Tell whether the axes of crank and rocker are almost one."""
-    ground, twist, _, offset, crank, coupler, rocker = map(float, astuple(sizes))
+    numbers = (float(getattr(sizes, each.name)) for each in fields(sizes))
+    ground, twist, _, offset, crank, coupler, rocker = numbers  # not astuple, which copies records
     apart = abs(ground) + abs(math.sin(math.radians(twist))) * (rocker + abs(offset))
     return apart * coupler < NEAR * crank * rocker
 
