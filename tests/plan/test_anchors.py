@@ -30,7 +30,7 @@ from vad.mechanisms import Mechanism
 from vad.plan.board import plan, rows_of
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
-from vad.plan.labels.choices import KeptLabels
+from vad.plan.labels.named import NamedLabels
 from vad.plan.lens import BAND, Seen
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon, Polyline
 from vad.plan.pictures import over_reach
@@ -96,7 +96,7 @@ def sketches(picture: Any, sheet: Sheet, still: bool) -> Iterator[tuple[Panel, S
             own = picture
         yield panel, own.still
         yield panel, own.pose(panel)
-        yield panel, own.under_hand(setting, KeptLabels({}))
+        yield panel, own.under_hand(setting, NamedLabels(panel.name))
     if still:
         board = plan(sheet, screen((1280, 720)), 0.058)
         for panel in sheet.halves:

@@ -16,7 +16,8 @@ from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
 from vad.mechanisms import Mechanism
 from vad.plan.format import screen
-from vad.plan.hand_board import HandBoard, NamedLabels, hand_board
+from vad.plan.hand_board import HandBoard, hand_board
+from vad.plan.labels.named import NamedLabels
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch

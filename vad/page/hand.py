@@ -28,8 +28,9 @@ from vad.page.ways import ways
 from vad.painting.svg_elements import number
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
-from vad.plan.hand_board import HandBoard, Label, scale_inputs
+from vad.plan.hand_board import HandBoard, scale_inputs
 from vad.plan.items import FOREVER, Item, in_painting_order
+from vad.plan.labels.named import Label
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols

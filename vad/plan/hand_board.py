@@ -9,26 +9,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from vad.errors import AssemblyError, VadError
 from vad.kinematics.motion import solve
-from vad.kinematics.numbers import direction, fold
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import TracedVector
 from vad.lecture.poles import HandPoles, hand_poles
-from vad.plan.anchors import Anchor
 from vad.plan.format import Format
 from vad.plan.items import Item
-from vad.plan.labels.choices import RATE, RATE_NEAR, VALUE, VALUE_NEAR
-from vad.plan.labels.vertices import GAPS, LETTER, SMALL_SIZE, Vertex, wish
-from vad.plan.lettering.glyphs import ink_size
-from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.labels.named import Label, NamedLabels
 from vad.plan.live_board import LiveBoard
-from vad.plan.marks import Bow
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.pictures.shared_lines import SharedLine, shared_lines
 from vad.plan.pictures.skeleton import Skeleton
@@ -37,7 +31,7 @@ from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
 from vad.plan.sketch import Sketch
 from vad.strokes.draw import NO_PINS, parted, scene_of, sheet_of, with_forces
-from vad.strokes.sheet import Arrow, Block, Panel, Sheet
+from vad.strokes.sheet import Arrow, Block, Sheet
 from vad.strokes.traced_sheet import TracedSheet, nothing_held, traced_sheet
 from vad.words import Language
 
@@ -54,147 +48,10 @@ _END = 0.05
 _TURN = (0.0, 360.0)
 #: The first pose of a whole turn is this share of a step from 0°, where many poses are special.
 _ASIDE = 0.37
-#: Where there are more vertices than so many, letters are smaller by this factor: a lesson leads
-#: far-off letters to their vertices, for which nobody could look while the picture moves.
-MANY, SMALL = 8, 0.75
-#: No angle takes more room.
-_WIDEST_ANGLE = roman("000.0°")
 #: The panels of forces.
 OF_FORCES = {"force", "drive"}
 #: Rates with which no vector vanishes.
 _RATES = (1.0, 0.37)
-
-
-@dataclass(frozen=True, slots=True)
-class Label:
-    """A label that is to be placed, on the page.
-
-    Attributes
-    ----------
-    panel, name, stroke
-        The panel in which it stands, what tells it from others there, and the name of the stroke
-        with which it comes.
-    runs, size, role, row
-        Its text and how that looks.
-    wide, high
-        The size of its ink.
-    at
-        What it names, a traced place.
-    radius
-        That of the dot there.
-    near
-        The distances at which it may stand, the best first.
-    led
-        Whether it may be farther off, with a leader.
-    way
-        The direction in which it would best stand in the traced pose, a unit vector.
-    apart
-        The letter of a vertex within a step vanishes where one of these places is its own: then a
-        part of the step is zero.
-    value
-        The angle in degrees that is written; None for any other text.
-    """
-
-    panel: str
-    name: str
-    stroke: str
-    runs: Runs
-    size: float
-    role: str
-    row: int | None
-    wide: float
-    high: float
-    at: complex
-    radius: float
-    near: Sequence[float]
-    way: complex
-    apart: Sequence[complex] = ()
-    value: float | None = None
-    led: bool = True
-
-
-@dataclass
-class NamedLabels:
-    """The labels of one pose by their names, without places."""
-
-    panel: str
-    found: list[Label] = field(default_factory=list)
-
-    def vertices(
-        self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
-    ) -> None:
-        """Note the letters of vertices; see `vad.plan.labels.choices.LabelChoice`."""
-        panel, size = sketch.setting.panel, LETTER * (SMALL if len(vertices) > MANY else 1.0)
-        for number, vertex in enumerate(vertices):
-            wanted = wish(vertex, vertices, radius, near)
-            again = sum(other.label == vertex.label for other in vertices[:number])
-            name = f"{vertex.label} {again}" if again else vertex.label  # in another view
-            stroke, text = panel.strokes[vertex.since].name, symbols(vertex.label)
-            self._note(name, stroke, text, vertex.at, wanted.first, near, size, "letter")
-            apart = tuple(map(sketch.scale, within_step(panel, vertex.label)))
-            self.found[-1] = replace(self.found[-1], radius=radius, apart=apart)
-
-    def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
-        """Note the value of an angle."""
-        stroke = sketch.setting.panel.strokes[index]
-        way = _ray(arc.start + 0.5 * arc.sweep)
-        at, name = arc.centre + arc.radius * way, f"angle {stroke.name}"
-        value = arc.sweep if stroke.label.endswith("°") else None
-        text = roman(stroke.label) if value is None else _WIDEST_ANGLE
-        self._note(name, stroke.name, text, at, way, VALUE_NEAR, VALUE, "value")
-        self.found[-1] = replace(self.found[-1], value=value)
-
-    def vector(self, sketch: Sketch, index: int, name: str) -> None:
-        """Note the name of a vector, which stands beside its middle."""
-        stroke = sketch.setting.panel.strokes[index]
-        shape: Any = stroke.shape
-        start, end = sketch.scale(shape.start), sketch.scale(shape.end)
-        across = 1j * complex(end - start) / (abs(complex(end - start)) or 1.0)
-        row, middle = sketch.setting.row(stroke.link), (start + end) / 2
-        self._note(name, stroke.name, symbols(name), middle, across, GAPS, SMALL_SIZE, "tag", row)
-        self.found[-1] = replace(self.found[-1], apart=(start, end))
-
-    def rate(self, sketch: Sketch, index: int, hung: Anchor, arrow: Bow, name: str) -> None:
-        """Note the name of the arrow of a rate, which stands about ``hung``."""
-        stroke = sketch.setting.panel.strokes[index]
-        way, row = _ray(arrow.start + 0.5 * arrow.sweep), sketch.setting.row(stroke.link)
-        at = arrow.centre + arrow.radius * way
-        self._note(f"rate {name}", stroke.name, symbols(name), at, way, RATE_NEAR, RATE, "tag", row)
-        self.found[-1] = replace(self.found[-1], led=False)
-
-    def _note(
-        self,
-        name: str,
-        stroke: str,
-        runs: Runs,
-        at: complex,
-        way: complex,
-        near: Sequence[float],
-        size: float,
-        role: str,
-        row: int | None = None,
-    ) -> None:
-        looks = runs, size, role, row, *ink_size(runs, size)
-        self.found.append(Label(self.panel, name, stroke, *looks, at, 0.0, near, complex(way)))
-
-
-def within_step(panel: Panel, letter: str) -> list[complex]:
-    """Return what a vertex within a step is joined to: its two neighbours; none of another vertex.
-
-    Only parts of one vector meet there, as the normal and the tangential one.
-    """
-    ends = [
-        (stroke.part.of, shape.end if shape.tail == letter else shape.start)
-        for stroke in panel.strokes
-        if isinstance(shape := stroke.shape, Arrow) and letter in (shape.tail, shape.head)
-    ]
-    return [end for _, end in ends] if len(ends) == 2 and ends[0][0] == ends[1][0] else []
-
-
-def _ray(degrees: float) -> complex:
-    """Return the unit vector at an angle; of a traced angle a traced one."""
-    found: complex = direction(fold(degrees))
-    return found
 
 
 @dataclass(frozen=True, slots=True)

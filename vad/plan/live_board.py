@@ -14,7 +14,7 @@ from vad.plan.board import Plan, arrange, regions_of, rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import Item, in_painting_order
-from vad.plan.labels.choices import KeptLabels, Ways
+from vad.plan.labels.named import NamedLabels, Ways, add_kept
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.layout import OVERLAP, Page, beside, rooms
 from vad.plan.pictures import over_reach, resized
@@ -123,7 +123,7 @@ class LiveBoard:
         for half in sheet.halves:
             name, above = half.name, sketches.get(half.column)
             setting = self.setting(sheet, half, above.obstacles if above else None)
-            labels, picture = KeptLabels(ways.get(name, {})), self.pictures.get(name)
+            labels, picture = NamedLabels(name), self.pictures.get(name)
             if picture:
                 kept[name] = picture.scale
                 sketch = picture.under_hand(setting, labels)
@@ -131,8 +131,9 @@ class LiveBoard:
             else:
                 kept[name] = calm_scale(half, setting.room, scales.get(name))
                 sketch = Polygon(setting, kept[name]).under_hand(setting, labels)
+            turned[name] = add_kept(sketch, labels.found, ways.get(name, {}))
             items += sketch.items
-            sketches[name], turned[name] = sketch, labels.ways
+            sketches[name] = sketch
         regions = regions_of(self.page)
         shown = tuple(in_painting_order(items, regions))
         plan = Plan(sheet, self.form, self.page, regions, shown, sketches)

@@ -1,26 +1,22 @@
 """Label placement: how the labels of a picture find their places.
 
 A picture decides what is labelled.  A choice decides where: `PlacedLabels` places each label for
-one pose, clear of everything.  `KeptLabels` keeps each label on the side of its dot while the
-driver is turned by hand.  For whole turns see `vad.plan.labels.springs`.
+one pose, clear of everything.  `vad.plan.labels.named` notes the labels of what is turned by hand.
+For whole turns see `vad.plan.labels.springs`.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 from typing import Protocol
 
 from vad.plan.anchors import Anchor
-from vad.plan.geometry import normal_of
 from vad.plan.items import ALWAYS, Level
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import APART, CLEARANCE, WAYS, Placed, Wish, beside, place
+from vad.plan.labels.placing import APART, CLEARANCE, Placed, Wish, beside, place
 from vad.plan.labels.vertices import (
-    GAPS,
-    LETTER,
     SMALL_SIZE,
     SMALLER,
     Vertex,
@@ -28,10 +24,9 @@ from vad.plan.labels.vertices import (
     label_vertices,
     leader_of,
     text_beside,
-    wish,
 )
 from vad.plan.lettering.glyphs import ink_size
-from vad.plan.lettering.runs import Runs, roman, symbols
+from vad.plan.lettering.runs import Runs, roman
 from vad.plan.marks import Bow
 from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Stroke
@@ -45,15 +40,8 @@ SHARES = (
 VALUE_GAPS = (0.011, 0.016, 0.022, 0.032, 0.045)
 #: Of a value beside its arc: its size, and whether it is outside of it.
 ANGLE_CHOICES = ((VALUE, True), (VALUE, False), (VALUE * SMALLER, True), (VALUE * SMALLER, False))
-#: While the driver is turned by hand, a value may be farther off than a letter, because its arc and
-#: an arrow take the near places.
-VALUE_NEAR = (0.014, 0.020, 0.028, 0.036, 0.050, 0.070, 0.090)
-#: The size of the name of a given rate, and how far from its arrow it may stand then.
+#: The size of the name of a given rate.
 RATE = 0.033
-RATE_NEAR = (0.011, 0.017, 0.024, 0.034)
-
-#: Where labels stand from what they name, in degrees, by what they say.
-Ways = Mapping[str, float]
 
 
 class LabelChoice(Protocol):
@@ -142,95 +130,3 @@ def _beside_arc(arc: Bow, runs: Runs, obstacles: Obstacles) -> tuple[Placed, flo
 def ends_of(stroke: Stroke) -> tuple[Anchor, Anchor]:
     """Return the anchors of both ends of a vector."""
     return Anchor.of(stroke.name, "start"), Anchor.of(stroke.name, "end")
-
-
-class KeptLabels:
-    """Labels that keep their side: each stays on the same side of its dot, while it can.
-
-    ``before`` are the directions in which they stood in the pose before.
-
-    Attributes
-    ----------
-    ways
-        Where they stand now, for the next pose.
-    """
-
-    def __init__(self, before: Ways) -> None:
-        self._before = before
-        self.ways: dict[str, float] = {}
-
-    def vertices(
-        self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
-    ) -> None:
-        """Add letters; see `LabelChoice`."""
-        for number, vertex in enumerate(vertices):
-            wanted = wish(vertex, vertices, radius, near)
-            again = sum(other.label == vertex.label for other in vertices[:number])
-            name = f"{vertex.label} {again}" if again else vertex.label  # in another view
-            hung = vertex.anchor, vertex.at
-            self._add(sketch, name, symbols(vertex.label), LETTER, wanted, hung)
-
-    def angle(self, sketch: Sketch, index: int, arc: Bow) -> None:
-        """Add a value, outside of its arc; see `LabelChoice`."""
-        stroke = sketch.setting.panel.strokes[index]
-        runs, way = roman(stroke.label), cmath.rect(1.0, math.radians(arc.start + 0.5 * arc.sweep))
-        wanted = Wish(arc.centre + arc.radius * way, way, *ink_size(runs, VALUE), near=VALUE_NEAR)
-        hung = Anchor.of(stroke.name, "centre"), arc.centre
-        self._add(sketch, f"angle {stroke.name}", runs, VALUE, wanted, hung, "value")
-
-    def vector(self, sketch: Sketch, index: int, name: str) -> None:
-        """Add a name; see `LabelChoice`."""
-        stroke, solved = sketch.setting.panel.strokes[index], sketch.solved
-        ends = ends_of(stroke)
-        start, end = solved.places(ends)
-        runs, across = symbols(name), normal_of(start, end)
-        wanted = Wish((start + end) / 2, across, *ink_size(runs, SMALL_SIZE), near=GAPS)
-        row = sketch.setting.row(stroke.link)
-        self._add(sketch, name, runs, SMALL_SIZE, wanted, (ends[0], start), "tag", row)
-
-    def rate(self, sketch: Sketch, index: int, hung: Anchor, arrow: Bow, name: str) -> None:
-        """Add a name; see `MovingLabels`."""
-        row = sketch.setting.row(sketch.setting.panel.strokes[index].link)
-        way = cmath.rect(1.0, math.radians(arrow.start + 0.5 * arrow.sweep))
-        size = ink_size(symbols(name), RATE)
-        wanted = Wish(arrow.centre + arrow.radius * way, way, *size, near=RATE_NEAR)
-        hung_at = hung, arrow.centre
-        self._add(sketch, f"rate {name}", symbols(name), RATE, wanted, hung_at, "tag", row)
-
-    def _add(
-        self,
-        sketch: Sketch,
-        name: str,
-        runs: Runs,
-        size: float,
-        wanted: Wish,
-        hung: tuple[Anchor, complex],
-        role: str = "letter",
-        row: int | None = None,
-    ) -> None:
-        """Add a label that hangs on an anchor at a place; it is remembered by its ``name``."""
-        if name in self._before:
-            wanted = replace(wanted, first=cmath.rect(1.0, math.radians(self._before[name])))
-        placed = _kept(sketch.obstacles, wanted)
-        sketch.obstacles.box(placed.box)
-        sketch.tags.append(Tag(name, placed.box))
-        text = text_beside(*hung, runs, placed.centre, size, role, row)
-        sketch.add(None, Level.LABEL, 0, [text])
-        self.ways[name] = math.degrees(cmath.phase(placed.centre - wanted.at))
-
-
-def _kept(obstacles: Obstacles, wanted: Wish) -> Placed:
-    """Return a free place: on the side on which it stood, else the nearest to that side.
-
-    If no place is free, it is still on that side.
-    """
-    size, side = (wanted.wide, wanted.high), wanted.ahead()
-    for spot in side:
-        if obstacles.has_room(spot, *size, CLEARANCE, APART):
-            return Placed(spot, *size)
-    spots = [spot for gap in wanted.near for spot in wanted.around(gap, WAYS)]
-    for clear, apart in ((CLEARANCE, APART), (0.5 * PIXEL, 0j)):
-        free = obstacles.free(spots, *size, clear, apart)
-        if free.any():
-            return Placed(spots[int(free.argmax())], *size)
-    return Placed(side[0], *size)
