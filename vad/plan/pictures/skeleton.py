@@ -274,6 +274,9 @@ class Skeleton:
     ) -> None:
         """Add letters, the values of angles, and the arrows of what is given."""
         panel = sketch.setting.panel
+        if not sketch.finished:  # a letter finds a place on any side of its dot
+            for index, arc in arcs:
+                labels.angle(sketch, index, angles.bow_of(sketch, arc))
         labels.vertices(sketch, vertices, self.radius, NEAR)
         for index, stroke in enumerate(panel.strokes):
             if is_load(stroke):
@@ -283,7 +286,8 @@ class Skeleton:
             bow = angles.bow_of(sketch, arc)
             if abs(bow.sweep) > 1e-6:
                 sketch.hang(index, Level.CONSTRUCTION, [arc])
-            labels.angle(sketch, index, bow)
+            if sketch.finished:
+                labels.angle(sketch, index, bow)
             if not sketch.finished:
                 turned = panel.find(sketch.setting.sheet.driver.stroke)
                 angles.add_free_sense(sketch, turned, panel.strokes[index])
