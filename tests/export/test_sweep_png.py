@@ -33,7 +33,7 @@ def plots(motion) -> list[Axes]:
         Figure((16, 12)),
         {"block": "s", "ram": "x", "slider": "x", "slider_a": "x", "slider_b": "y"},
     )
-    sweep_png._curves(figure, results_of(motion), symbols, Look.of("paper", "en"))
+    sweep_png._curves(figure, results_of(motion), symbols, Look.of("paper", "en", motion.mechanism))
     return figure.axes
 
 

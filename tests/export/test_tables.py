@@ -121,7 +121,7 @@ def test_all_columns_of_a_motion_are_those_of_a_sweep(name):
 
 
 def figure_of(table: Table, language: str = "en") -> Figure:
-    look = Look.of("paper", language)
+    look = Look.of("paper", language, table.motion.mechanism)
     figure = Figure((16, 12))
     table_png._draw(figure, table, table_png._panels(table, look), look, 1.0)
     return figure

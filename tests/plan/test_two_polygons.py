@@ -9,6 +9,7 @@ import math
 import pytest
 
 import vad
+from tests.page.lessons import bundle_of
 from tests.plan.two_polygons import A4, FOUR, LOWER, UPPER, sheet
 from vad.errors import InputError, UsageError
 from vad.export.sheet_json import to_dict, to_text
@@ -144,7 +145,8 @@ def test_json_holds_the_lower_polygon_inside_the_panel():
 
 
 def test_the_page_counts_the_lower_strokes_in_their_chapter():
-    page = document(vad.animate(sheet(polar(), "laid over")))
+    html = document(vad.animate(sheet(polar(), "laid over")))
+    page = html + "".join(bundle_of(html)[4])
     assert 'data-x="0" style="flex-grow:15"' in page
     assert 'href="#step=velocity:15"' in page and "below:" not in page
     assert page.count('<section class="panel"') == 2

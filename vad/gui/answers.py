@@ -265,8 +265,8 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
     -------
     dict
         ``html``, the lesson in its places on a page; ``data`` for its player and ``looks``, the
-        rules of its classes; the ``scales`` of its panels; the ``results`` of
-        ``vad solve --json``.  Its ``key`` stands for the mechanism as a hand moves it: what a page
+        rules of its classes, less those that the page knows; the ``scales`` of its panels; the
+        ``results`` of ``vad solve --json``.  Its ``key`` stands for the mechanism as a hand moves it: what a page
         needs for that, ``layers`` and in the data ``hand`` and ``program``, is left out if the
         question has this key.
 
@@ -290,7 +290,7 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
     key = sha256(about.encode()).hexdigest()[:16]
     told = question.key == key
     film = vad.animate(sheet, style=question.style)
-    made = parts(film, copy, None if told else turned)
+    made = parts(film, copy, None if told else turned, question.known)
     answer = {
         "key": key,
         "html": section(film, made),

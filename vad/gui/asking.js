@@ -6,7 +6,7 @@ function question(kind) {
   const asked = { mechanism: set.mechanism, parameters: present(set.parameters), inputs: { ...present(set.inputs), ...aside },
     assembly: "" in set.places ? set.places[""] : set.places, points: set.points, burden: set.burden,
     length_unit: set.length_unit, panels: set.panels, language: start.language, style: start.style };
-  if (kind === "lesson") return { ...asked, scales: stands() ? scalesNow() : {}, key: stands() ? standing.key : "" };
+  if (kind === "lesson") return { ...asked, scales: stands() ? scalesNow() : {}, key: stands() ? standing.key : "", known: [...known] };
   const style = root.dataset.theme, speed = +(find(".speed")?.value ?? 1);
   return { ...asked, style: start.style === "print" ? "print" : style, size: start.size, fps: start.fps, speed };
 }

@@ -252,10 +252,13 @@ class LessonQuestion(Question):
         Those of polygons to be kept.
     key
         That of the answer whose mechanism stands on the page; see `vad.gui.answers.lesson`.
+    known
+        The classes whose rules the page has.
     """
 
     scales: Scales = field(default_factory=dict)
     key: str = ""
+    known: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -44,10 +44,12 @@ function followed() {
   if (!same) want();
 }
 
+// The classes whose rules the page has: a class has the name of its rule.
 const known = new Set();
 function rules(looks) {
-  const fresh = looks.split("\n").filter((rule) => rule && !known.has(rule));
-  fresh.forEach((rule) => known.add(rule));
+  const named = (rule) => rule.slice(1, rule.indexOf("{"));
+  const fresh = looks.split("\n").filter((rule) => rule && !known.has(named(rule)));
+  fresh.forEach((rule) => known.add(named(rule)));
   const { sheet } = document.getElementById("looks");
   fresh.forEach((rule) => sheet.insertRule(rule, sheet.cssRules.length));
 }

@@ -6,7 +6,7 @@ file, the live page and the notebook are made of the same parts, and played by t
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from itertools import accumulate, islice, pairwise, repeat
@@ -104,7 +104,12 @@ def _plan(lesson: Lesson, turned: HandBoard | None) -> Plan:
     return plan(lesson.sheet, screen(SIZE), key, lesson=True, scales=scales, words=False)
 
 
-def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = None) -> Parts:
+def parts(
+    lesson: Lesson,
+    board: Plan | None = None,
+    turned: HandBoard | None = None,
+    known: Collection[str] = (),
+) -> Parts:
     """Return the parts of a lesson's page.
 
     Parameters
@@ -115,6 +120,8 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
         Its board, where that has scales of its own.
     turned
         The board on which its mechanism is turned, if ``board`` is given; None where it cannot be.
+    known
+        Classes whose rules are left out.
     """
     style, faces, sheet = load_style(lesson.style), Faces(), lesson.sheet
     turned = turned if board else turned_board(lesson)
@@ -170,7 +177,7 @@ def parts(lesson: Lesson, board: Plan | None = None, turned: HandBoard | None = 
         },
         lines=len(board.page.captions),
         measures=found,
-        looks=inker.classes.sheet(),
+        looks=inker.classes.sheet(known),
         faces=faces,
         hand=moved,
     )
