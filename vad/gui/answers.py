@@ -266,9 +266,9 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
     dict
         ``html``, the lesson in its places on a page; ``data`` for its player and ``looks``, the
         rules of its classes, less those that the page knows; the ``scales`` of its panels; the
-        ``results`` of ``vad solve --json``.  Its ``key`` stands for the mechanism as a hand moves it: what a page
-        needs for that, ``layers`` and in the data ``hand`` and ``program``, is left out if the
-        question has this key.
+        ``results`` of ``vad solve --json``.  Its ``key`` stands for the mechanism as a hand moves
+        it: what a page needs for that, ``layers`` and in the data ``hand`` and ``program``, is left
+        out if the question has this key.
 
     Raises
     ------
