@@ -12,7 +12,7 @@ import pytest
 from tests.plan.snapshots import SCENES, lesson, lesson_plan
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
-from vad.plan.items import Item
+from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import (
     Bow,
@@ -52,9 +52,10 @@ def by_role(items: list[Item], role: str) -> list[Mark]:
 
 
 def strokes(scene: str) -> dict[str, list[Item]]:
+    """Return the items of each stroke; what a lens shows once more is there at once."""
     found: dict[str, list[Item]] = {}
     for item in board(scene).items:
-        if item.stroke.startswith(f"{item.region}:"):
+        if item.stroke.startswith(f"{item.region}:") and item.level is not Level.LENS:
             found.setdefault(item.stroke, []).append(item)
     return found
 
