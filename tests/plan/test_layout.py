@@ -9,6 +9,7 @@ from itertools import cycle, islice
 
 import pytest
 
+import vad
 from tests.plan.overlaps import planned
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
@@ -18,6 +19,7 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Wish, beside, fan, outward, place
 from vad.plan.labels.vertices import find_vertices
 from vad.plan.layout import GUTTER_GRID, Page, grid_columns, lay_out
+from vad.plan.marks import Bow, Polygon
 from vad.plan.reach import corners
 from vad.plan.scale import fill, scale_bar
 
@@ -177,6 +179,28 @@ def test_a_leader_that_must_cross_something_crosses_the_thinner():
     placed = place(obstacles, Wish(0.5 + 0.5j, 1j, 0.10, 0.053))
     assert placed.leader
     assert placed.box.top < 0.47
+
+
+def test_letters_are_smaller_where_a_leader_would_cross_a_vector():
+    """Beside c″ₙ of a four-bar at 90° a large letter has no place, and all round are vectors."""
+    sketch = planned(vad.draw(vad.solve(vad.FourBar(), angle=90))).sketches["acceleration"]
+    [tag] = [tag for tag in sketch.tags if tag.text == "c″ₙ"]
+    [at] = [vertex.at for vertex in sketch.vertices if vertex.label == "c″ₙ"]
+    assert abs(tag.box.centre - at) < 0.05
+
+
+@pytest.mark.parametrize(("angle", "whole"), [(90, True), (300, False)])
+def test_the_arc_of_an_angle_is_smaller_where_it_would_cross_a_link(angle: float, whole: bool):
+    board = planned(vad.draw(vad.solve(vad.CrankSlottedLever(), angle=angle)))
+    marks = [mark for item in board.shown(board.finished) for mark in item.marks]
+    [arc] = [mark.shape for mark in marks if mark.role == "angle"]
+    [slit] = [mark.shape for mark in marks if mark.role == "slit"]
+    assert isinstance(arc, Bow) and isinstance(slit, Polygon)
+    assert (arc.radius > 0.08) == whole
+    start, end, *_ = slit.rings[0]
+    seen = [(z - start) / (end - start) for z in arc.line()]
+    off = [abs(z.imag) * abs(end - start) for z in seen if 0.0 < z.real < 1.0]
+    assert min(off) > 0.003
 
 
 def test_points_share_a_label_where_they_are_equal_and_not_where_they_look_so():

@@ -42,7 +42,8 @@ OFF, CLOSE_BY = 0.010, 0.035
 class Placed:
     """Where a label's ink box goes; ``leader`` is a line to its dot where it stands far off.
 
-    It is ``forced`` where no place was clear of everything.
+    It is ``forced`` where no place was clear of everything; its leader ``crosses`` a stroke where
+    every one does.
     """
 
     centre: complex
@@ -50,6 +51,7 @@ class Placed:
     high: float
     leader: tuple[complex, complex] | None = None
     forced: bool = False
+    crosses: bool = False
 
     @property
     def box(self) -> Rect:
@@ -238,7 +240,8 @@ def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
             if not spot.leader or not covered:
                 return spot
             if covered + LENGTH_COUNTS * abs(end - start) < least:
-                least, best = covered + LENGTH_COUNTS * abs(end - start), spot
+                least = covered + LENGTH_COUNTS * abs(end - start)
+                best = replace(spot, crosses=True)
             bare = bare or replace(spot, leader=None)
     last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high, forced=True)
     return best or bare or last

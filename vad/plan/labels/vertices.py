@@ -233,9 +233,10 @@ def label_vertices(
 ) -> None:
     """Place the labels of some vertices ``among`` others, each once for all strokes.
 
-    They have one size, the largest at which each has a clear place, and show ``until`` a beat.
+    They have one size, the largest at which each has a clear place and no leader crosses a stroke,
+    and show ``until`` a beat.
     """
-    tried: list[tuple[int, float, list[tuple[int, Placed]], Obstacles]] = []
+    tried: list[tuple[tuple[int, int], float, list[tuple[int, Placed]], Obstacles]] = []
     all_ = among or vertices
     for size in LETTERS:
         wishes = [
@@ -244,8 +245,9 @@ def label_vertices(
         ]
         crowd = sketch.obstacles.copy()
         found = list(place_all(crowd, wishes))
-        tried.append((sum(placed.forced for _, placed in found), size, found, crowd))
-        if not tried[-1][0]:
+        faults = sum(p.forced for _, p in found), sum(p.crosses for _, p in found)
+        tried.append((faults, size, found, crowd))
+        if not any(faults):
             break
     _, size, found, crowd = min(tried, key=lambda each: each[0])
     sketch.obstacles = crowd

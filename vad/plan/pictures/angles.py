@@ -34,6 +34,9 @@ from vad.strokes.sheet import Arc, Arrow, Panel, Stroke
 RADIUS = 0.088
 SHARE_OF_CRANK = 0.9
 SHARE_IN_YOKE = 0.6  # where slot and block hide what is farther out
+#: An arc that touches other strokes may be smaller; near its ends it meets its own.
+SMALLER_ARCS, SMALLEST_ARC, ENDS = (0.88, 0.76), 0.058, 0.012
+OFF_STROKES = 0.005
 SENSE_SIZES = (  # radius and span, the best first
     (0.062, 78.0),
     (0.074, 78.0),
@@ -67,6 +70,8 @@ def angle_arcs(sketch: Sketch) -> list[tuple[int, Hung]]:
         if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
             radius = _radius(panel, stroke.shape, sketch.scale)
             arc = AngleArc(stroke.name, radius, sketch.setting.room)
+            if not sketch.finished:
+                arc = _clear_arc(sketch, arc)
             found.append((index, Hung(arc, "angle", growth=Trimming())))
             bow = arc.posed(sketch.solved)
             # While it is turned by hand, the arc has as many pieces in every pose.
@@ -79,6 +84,18 @@ def _radius(panel: Panel, shape: Arc, scale: Scale) -> float:
     yoke = any(is_yoke(panel, other.link) for other in panel.strokes)
     share = SHARE_IN_YOKE if yoke else SHARE_OF_CRANK
     return min(RADIUS, share * shape.radius * scale.factor)
+
+
+def _clear_arc(sketch: Sketch, arc: AngleArc) -> AngleArc:
+    """Return the arc of an angle, smaller if it then crosses less of what is drawn."""
+
+    def crossed(each: AngleArc) -> int:
+        line = each.posed(sketch.solved).line()
+        inner = [z for z in line if min(abs(z - line[0]), abs(z - line[-1])) > ENDS]
+        return int((~sketch.obstacles.free(inner, 0.0, 0.0, OFF_STROKES)).sum()) if inner else 0
+
+    smaller = [replace(arc, radius=share * arc.radius) for share in SMALLER_ARCS]
+    return min([arc, *(each for each in smaller if each.radius >= SMALLEST_ARC)], key=crossed)
 
 
 def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
