@@ -140,8 +140,15 @@ def test_only_what_is_drawn_is_shown_until_all_is_asked_for(page: Page) -> None:
     assert shown.count() == 0
     page.locator("[data-do=all]").click()
     assert shown.count() > 3
+    assert page.locator(".panel:nth-child(3) .hand .label:visible").count() > 3
     press(page, "h")
     assert at(page) == STEP
+
+
+def test_a_hand_that_takes_the_whole_page_sees_no_panel_larger_than_another(page: Page) -> None:
+    press(page, "Home", "h")
+    expect(page.locator(".vad")).to_have_class(re.compile("turned"))
+    expect(page.locator(".vad")).not_to_have_class(re.compile("staged"))
 
 
 def test_every_key_of_the_hand(page: Page) -> None:

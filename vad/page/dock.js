@@ -191,7 +191,11 @@ function docked(root, body, player) {
     player.take(acts);
     player.seek(Math.ceil(player.x));
     kept = player.x;
-    if (!player.x || one(".grip.off")) player.seek(player.strokes());
+    if (!player.x || one(".grip.off")) {
+      // All is shown, and no panel is larger than another.
+      player.seek(player.strokes());
+      player.stage(-1, true);
+    }
     root.classList.add("turned");
     for (const [name, word] of Object.entries(RENAMED)) name_(name, words[word]);
     one("[data-do=lesson]").setAttribute("aria-pressed", false);
@@ -327,7 +331,7 @@ function docked(root, body, player) {
     hand: enter,
     lesson: () => leave(),
     return: () => leave(),
-    all: () => { player.seek(player.strokes()); player.stage(-1); offer(); say(); back.focus(); },
+    all: () => { player.seek(player.strokes()); player.stage(-1); offer(); body.show(); back.focus(); },
     other: further,
     undo: () => redone(true),
     redo: () => redone(false),
