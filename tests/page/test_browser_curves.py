@@ -87,6 +87,12 @@ def test_a_drag_in_a_curve_moves_the_crank(page: Page) -> None:
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + 20)
     page.mouse.up()
     assert page.evaluate("() => vad.state.angle") == pytest.approx(180.0, abs=1.0)
+    assert page.evaluate("() => Number.isInteger(+(10 * vad.state.angle).toFixed(9))")
+
+
+def test_the_curve_of_an_angle_names_the_whole_turn(page: Page) -> None:
+    switch(page, "Curves")
+    assert page.locator(".plots figure").first.locator("span").first.inner_text() == "360.0°"
 
 
 def test_a_range_that_is_not_a_turn_is_covered(browser: Browser, tmp_path: Path) -> None:

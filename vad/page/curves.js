@@ -9,7 +9,8 @@
 //   on        what is shown from the start
 // A drag in a curve moves what is driven.
 
-const SAMPLES = 361, MOST = 0.98;
+// A curve whose highest places are so many times as high as all but a few has no end.
+const SAMPLES = 361, MOST = 0.98, ENDLESS = 2;
 
 function curved(root, body, dock, showing) {
   const { data, solve, view } = body, { columns, tracks } = data.curves;
@@ -78,14 +79,17 @@ function curved(root, body, dock, showing) {
         const own = column.map((each, k) => each[3] === units[shown] ? k : -1).filter((k) => k >= 0);
         const all = own.flatMap((k) => values[i][k]).filter((value) => value - value === 0).sort((a, b) => a - b);
         // Where rates grow without end the ends of a stretch do not tell the scale.
-        const most = all[Math.ceil(MOST * (all.length - 1))] ?? 1, least = all[Math.floor((1 - MOST) * (all.length - 1))] ?? 0;
+        const usual = [all[Math.floor((1 - MOST) * (all.length - 1))] ?? 0, all[Math.ceil(MOST * (all.length - 1))] ?? 1];
+        const [least, most] = all.at(-1) - all[0] < ENDLESS * (usual[1] - usual[0]) ? [all[0], all.at(-1)] : usual;
         const [from, to] = most > least ? [least, most] : [least - 1, least + 1];
         const y = (value) => 96 - 92 * (clamp(value, from - (to - from), to + (to - from)) - from) / (to - from);
         paths.forEach((path, k) => path.setAttribute("d", own.includes(k)
           ? line(jumped(values[i][k], units[shown]).map((value, n) => [x(places[n]), y(value)])) : ""));
         zero.setAttribute("d", from < 0 && to > 0 ? `M0 ${y(0)}H360` : "");
-        high.textContent = view.written(to, units[shown]);
-        low.textContent = view.written(from, units[shown]);
+        // A whole turn ends at 360°, which is elsewhere written as 0°.
+        const said = (value) => units[shown] === "°" ? `${dock.number(value, 1)}°` : view.written(value, units[shown]);
+        high.textContent = said(to);
+        low.textContent = said(from);
         button.textContent = units.length > 1 ? units[shown] : "";
         button.hidden = units.length < 2;
         each.move();
@@ -97,7 +101,7 @@ function curved(root, body, dock, showing) {
     const drag = (event) => {
       const box = svg.getBoundingClientRect(), share = clamp((event.clientX - box.left) / box.width, 0, 1);
       const [from, to] = span();
-      body.set([from + share * (to - from), ...body.state.slice(1)]);
+      dock.point(from + share * (to - from));
     };
     svg.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
     svg.addEventListener("pointerdown", (event) => {

@@ -292,11 +292,13 @@ function docked(root, body, player) {
     body.view.steady(body.among(72));
     let then = performance.now();
     const tick = (time) => {
-      // A page that was hidden goes on from where it stopped.
-      const by = way * clamp(time - then, 0, 250) / 1000 * player.speed.value / TURN * (turns ? 360 : 2 * (high - low));
-      then = time;
+      // A page that was hidden goes on from where it stopped.  The driver goes in round steps, so that
+      // its number can be read; the rest of the time counts for the next picture.
+      const pace = player.speed.value / TURN * (turns ? 360 : 2 * (high - low)) / 1000, due = pace * clamp(time - then, 0, 250);
+      const by = Math.floor(due * 10 ** digits) / 10 ** digits;
+      then = time - (due - by) / pace;
       body.rest();
-      body.move(by);
+      if (by) body.move(way * by);
       if (body.atEnd) way = state[0] <= body.range[0] ? 1 : -1;
       frame = requestAnimationFrame(tick);
     };
@@ -342,9 +344,12 @@ function docked(root, body, player) {
     redone(!event.shiftKey);
     event.preventDefault();
   });
+  // Sets what is driven where a pointer is, in round numbers.
+  const point = (place) => body.set([+place.toFixed(digits), ...state.slice(1)]);
+
   player.on(track, "input", () => {
     begin();
-    body.set([+(+track.value).toFixed(digits), ...state.slice(1)]);
+    point(+track.value);
     settle();
   });
   player.on(box, "change", () => {
@@ -370,7 +375,7 @@ function docked(root, body, player) {
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
 
   return {
-    run, keys: acts.keys, assemble, begin, commit, settle, enter, leave, say, scale, number, read, fault,
+    run, keys: acts.keys, point, assemble, begin, commit, settle, enter, leave, say, scale, number, read, fault,
     on: (listener) => listeners.push(listener),
     // Whom to ask for what this page's program does not hold for: beyond(name, value).
     beyond: null,
