@@ -93,9 +93,11 @@ def until(page: Page, holds: Callable[[], object], seconds: float = 30.0) -> Non
 
 
 def violations(page: Page) -> list[str]:
-    """Return what axe-core has against a page: the rule and the element."""
+    """Return what axe-core has against a page at rest: the rule and the element."""
     from axe_playwright_python.sync_playwright import Axe
 
+    moving = "document.getAnimations().some((each) => each.playState === 'running')"
+    until(page, lambda: not page.evaluate(moving))
     return [
         f"{rule['id']}: {node['html']}"
         for rule in Axe().run(page).response["violations"]

@@ -120,6 +120,10 @@ def test_an_arrow_comes_with_the_stroke_that_finds_it_and_not_on_a_problem():
     tags = [m.shape for i in blank.items for m in i.marks if i.region == "position"]
     said = [plain(each.runs) for each in tags if isinstance(each, Lettering)]
     assert "ω₂, α₂" in said  # what is given stays
+    blank = problem(board, blank_panels(sheet, ("velocity",)), KEY)
+    texts = [m.shape for i in blank.items for m in i.marks if i.region == "position"]
+    said = [plain(each.runs) for each in texts if isinstance(each, Lettering)]
+    assert not [each for each in said if each.startswith(",")], "α without its arrow"
 
 
 def test_nothing_turns_where_the_driver_rests():

@@ -28,6 +28,8 @@ from vad.plan.lettering.runs import bold, roman
 from vad.plan.marks import Lettering
 from vad.plan.page.table import table
 from vad.plan.page.task import upon_problem
+from vad.plan.pictures.senses import senses_of
+from vad.strokes.diagram import POSITION
 from vad.strokes.reveals import measurer
 from vad.strokes.sheet import POLE, Sheet, Stroke, StrokePart
 from vad.strokes.telling import BEFORE_INERTIA
@@ -86,7 +88,13 @@ def problem(key: Plan, blank: Blank, line: float, task: str | None = "") -> Plan
     panels = [key.sketches[name].setting.panel for name in blank]
     answers = {panel.full(stroke.name) for panel in panels for stroke in panel.strokes}
     answers |= _given_away(key, blank)
-    items = [shown for each in key.items if (shown := _without_answer(each, key, blank, answers))]
+    lost = _without_arrow(key, answers)
+    items = [
+        shown
+        for each in key.items
+        if (each.region, each.stroke) not in lost
+        if (shown := _without_answer(each, key, blank, answers))
+    ]
     cells = table(key.sheet, key.page, line).cells
     for name in key.page.panels:
         for index, row in enumerate(key.sheet.rows):
@@ -136,6 +144,20 @@ def _given_away(key: Plan, blank: Blank) -> set[str]:
             if shown or (waits is not None and number >= waits):
                 found.add(panel.full(stroke.name))
     return found
+
+
+def _without_arrow(key: Plan, answers: Collection[str]) -> set[tuple[str, str]]:
+    """Return the region and stroke of names that lose the arrow of a sense beside which they stand.
+
+    The arrow of ω₃ and α₃ together comes with ω₃: where that is to be found, α₃ goes with it.
+    """
+    return {
+        (POSITION.panel, by)
+        for row in key.sheet.rows
+        for sense in senses_of(key.sketches, row)
+        if sense.names[0][1] in answers
+        for _, by, _ in sense.names[1:]
+    }
 
 
 def _without_answer(item: Item, key: Plan, blank: Blank, answers: Collection[str]) -> Item | None:

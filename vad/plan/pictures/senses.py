@@ -26,7 +26,7 @@ from vad.plan.pictures.angles import sense_arrow
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Order
 from vad.strokes.reveals import measurer
-from vad.strokes.sheet import Arrow, Row
+from vad.strokes.sheet import Arrow, Dot, Row
 from vad.strokes.travels import turning
 
 #: Radius and span of an arrow, the best first.
@@ -39,6 +39,7 @@ SIZES = (
     (0.130, 38.0),
     (0.040, 84.0),
     (0.155, 32.0),
+    (0.185, 27.0),
 )
 #: Where an arrow is tried, as shares of its span from its middle: 8° apart at most.
 SHARES = np.linspace(-0.5, 0.5, 12)
@@ -83,7 +84,11 @@ class _Place:
 
 
 def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
-    """Yield the arrows of all rates that are not given, and of the given α."""
+    """Yield the arrows of all rates that are not given, and of the given α.
+
+    What turns about a fixed pivot has its arrows about that: about another point of the link they
+    would point against the motion that the picture shows.
+    """
     for sketch in sketches.values():
         panel = sketch.setting.panel
         if panel.name != POSITION.panel or panel.picture != "skeleton":
@@ -91,11 +96,13 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
         taken = sketch.obstacles
         taken = Obstacles(taken.edge, [*taken.lines], [*taken.boxes])
         bars = {row.key: _bars(sketch, row) for row in sketch.setting.sheet.rows}
+        pivots = _pivots(sketch)
         for row in sketch.setting.sheet.rows:
             others = [bar for key, own in bars.items() if key != row.key for bar in own]
             ways: list[complex] = []
             for sense in senses_of(sketches, row) if bars[row.key] else ():
-                yield from arrow_near(sketch, taken, row, bars[row.key], sense, others, ways)
+                about = (sketch, taken, row, bars[row.key], sense)
+                yield from arrow_near(*about, others, ways, pivots)
 
 
 def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
@@ -144,6 +151,15 @@ def _bars(sketch: Sketch, row: Row) -> list[tuple[complex, complex]]:
     return [(start, end) for _, start, end in sorted(bars, key=lambda bar: bar[0])]
 
 
+def _pivots(sketch: Sketch) -> list[complex]:
+    """Return the fixed pivots on the page."""
+    return [
+        sketch.scale(stroke.shape.at)
+        for stroke in sketch.setting.panel.strokes
+        if stroke.kind == "fixed" and isinstance(stroke.shape, Dot)
+    ]
+
+
 def arrow_near(
     sketch: Sketch,
     taken: Obstacles,
@@ -152,16 +168,18 @@ def arrow_near(
     sense: Sense,
     others: Sequence[tuple[complex, complex]] = (),
     ways: list[complex] | None = None,
+    pivots: Sequence[complex] = (),
 ) -> Iterator[Item]:
     """Yield an arrow about an end of one of the bars of a row, and the names that come to it.
 
-    It is nearer to them than to the ``others``, if that can be.  There is none without a free
-    place; ``taken`` are the places that are not, and ``ways`` the directions of other arrows of
-    the row, whose sense is the other one.  Its own are added to both.
+    It is about one of the fixed ``pivots``, if one of the bars ends there.  It is nearer to the
+    bars than to the ``others``, if that can be.  There is none without a free place; ``taken`` are
+    the places that are not, and ``ways`` the directions of other arrows of the row, whose sense is
+    the other one.  Its own are added to both.
     """
     panel, number = sketch.setting.panel, sketch.setting.row(row.key)
     ways = [] if ways is None else ways
-    place = _place(taken, bars, others, sense, ways)
+    place = _place(taken, bars, others, sense, ways, pivots)
     if place is None:
         return
     ways.append(_way(place.middle, sense.sign))
@@ -195,6 +213,7 @@ def _place(
     others: Sequence[tuple[complex, complex]],
     sense: Sense,
     ways: Sequence[complex],
+    pivots: Sequence[complex],
 ) -> _Place | None:
     """Return the nearest place that meets nothing but the link itself; None where none is free.
 
@@ -209,7 +228,7 @@ def _place(
         obstacles.boxes,
     )
     wide, high = ink_size(symbols(sense.text), LETTER)
-    arcs = list(_arcs(bars, sense.sign))
+    arcs = list(_arcs(bars, sense.sign, pivots))
     centres, radii, spans, middles = (
         np.array(each)[:, np.newaxis] for each in zip(*arcs, strict=True)
     )
@@ -244,13 +263,13 @@ def _way(middle: float, sign: float) -> complex:
 
 
 def _arcs(
-    bars: Sequence[tuple[complex, complex]], sign: float
+    bars: Sequence[tuple[complex, complex]], sign: float, pivots: Sequence[complex]
 ) -> Iterator[tuple[complex, float, float, float]]:
     """Yield places of arrows: centre, radius, span and middle, those on the link first."""
+    ends = [each for start, end in bars for each in ((start, end), (end, start))]
+    fixed = [(at, to) for at, to in ends if any(abs(at - each) < _OWN for each in pivots)]
     sides = [
-        (at, math.degrees(cmath.phase(to - at)), 0.9 * abs(to - at))
-        for start, end in bars
-        for at, to in ((start, end), (end, start))
+        (at, math.degrees(cmath.phase(to - at)), 0.9 * abs(to - at)) for at, to in fixed or ends
     ]
     for away, (radius, span), (at, ahead, most) in itertools.product(AWAY, SIZES, sides):
         if radius < most or abs(away) > 60:
