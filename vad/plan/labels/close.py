@@ -31,10 +31,15 @@ LARGEST, LARGEST_ALONE, SMALLEST = 0.108, 0.135, 0.068
 #: The least radius of the circle about the place.
 LEAST_RING = 0.0165
 MOST = 2  # lenses in a panel
+#: A panel with more points than this has no lens: two would not disentangle it, and to look for
+#: their places among so many letters takes minutes.
+MOST_POINTS = 20
 
 
 def close_places(setting: Setting, vertices: Sequence[Vertex]) -> list[Close]:
     """Return the places where points cannot be told apart, the closest first."""
+    if len(vertices) > MOST_POINTS:
+        return []
     pairs = sorted(
         (distance, one, other)
         for (one, first), (other, second) in combinations(enumerate(vertices), 2)
