@@ -12,7 +12,7 @@ from itertools import combinations
 from vad.plan.items import FOREVER
 from vad.plan.labels.choices import PlacedLabels
 from vad.plan.labels.obstacles import PIXEL
-from vad.plan.labels.vertices import SAME, Vertex, label_vertices
+from vad.plan.labels.vertices import CROWD, SAME, Vertex, label_vertices
 from vad.plan.lens import circle
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Close, Setting, Sketch
@@ -31,15 +31,12 @@ LARGEST, LARGEST_ALONE, SMALLEST = 0.108, 0.135, 0.068
 #: The least radius of the circle about the place.
 LEAST_RING = 0.0165
 MOST = 2  # lenses in a panel
-#: A panel with more points than this has no lens: two would not disentangle it, and to look for
-#: their places among so many letters takes minutes.
-MOST_POINTS = 20
 
 
 def close_places(setting: Setting, vertices: Sequence[Vertex]) -> list[Close]:
     """Return the places where points cannot be told apart, the closest first."""
-    if len(vertices) > MOST_POINTS:
-        return []
+    if len(vertices) > CROWD:
+        return []  # two lenses would not disentangle them, and to look for places takes a minute
     pairs = sorted(
         (distance, one, other)
         for (one, first), (other, second) in combinations(enumerate(vertices), 2)

@@ -40,6 +40,8 @@ from vad.strokes.sheet import Arrow, Block, Dot, Panel, Plate, Stroke
 LETTER = 0.040
 #: The sizes of letters: a smaller one where some have no clear place.
 LETTERS = (LETTER, 0.035, 0.030)
+#: Among more points than this, letters have the smallest size at once.
+CROWD = 20
 #: Within this distance a letter that comes again names the same dot.
 COINCIDENT = 0.012
 #: Two ways to one point lead to places that differ by rounding alone.
@@ -238,7 +240,7 @@ def label_vertices(
     """
     tried: list[tuple[tuple[int, int], float, list[tuple[int, Placed]], Obstacles]] = []
     all_ = among or vertices
-    for size in LETTERS:
+    for size in LETTERS if len(all_) <= CROWD else LETTERS[-1:]:
         wishes = [
             replace(wish(each, all_, radius, near, size), span=_span(sketch, each, until))
             for each in vertices
