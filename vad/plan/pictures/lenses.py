@@ -18,7 +18,7 @@ from vad.plan.anchors import OnPage, Solved, on_page
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.choices import PLACED, LabelChoice
-from vad.plan.labels.close import LETTERED, SMALLEST, LensedLabels, close_places, largest, ring_of
+from vad.plan.labels.close import LETTERED, MOST, SMALLEST, LensedLabels, largest, ring_of
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import APART, Placed, near_places, place_all
 from vad.plan.labels.vertices import Vertex, add_letters, text_at, wish
@@ -120,27 +120,31 @@ class View(NamedTuple):
 
 def with_lenses(setting: Setting, draw: Draw) -> Sketch:
     """Return a picture with the lenses that it needs."""
-    full = draw(setting.room, PLACED)
-    assert full is not None
-    if not setting.lenses or not (places := close_places(setting, full.vertices)):
-        return full
-    for count in range(len(places), 0, -1):
-        for room in _rooms(setting, full)[: ROOMS if count == 1 else ROOMS_OF_TWO]:
+    first = draw(setting.room, LensedLabels(MOST) if setting.lenses else PLACED)
+    assert first is not None
+    if not first.close or add_lenses(first):
+        return first
+    rooms = [setting.room, *_smaller_rooms(setting, first)]
+    for count in range(len(first.close), 0, -1):
+        tried = rooms[: ROOMS if count == 1 else ROOMS_OF_TWO]
+        for room in tried[1:] if count == len(first.close) else tried:
             sketch = draw(room, LensedLabels(count))
             if sketch and len(sketch.close) == count and add_lenses(sketch):
                 return sketch
-    return full
+    plain = draw(setting.room, PLACED)
+    assert plain is not None
+    return plain
 
 
-def _rooms(setting: Setting, full: Sketch) -> list[Rect]:
-    """Return the rooms in which a drawing with lenses is tried: its own, and smaller ones."""
+def _smaller_rooms(setting: Setting, full: Sketch) -> list[Rect]:
+    """Return rooms smaller than its own in which a drawing with lenses is tried."""
     room, panel = setting.room, setting.panel
     if setting.scale is not None or setting.centimetre is not None:
-        return [room]
+        return []
     points, is_position = corners(panel), panel.picture != "vectors"
     scales = [(-fill(points, each, is_position).factor, each) for each in reserved(room)]
     least = LEAST_SCALE * full.scale.factor
-    return [room, *(each for scale, each in sorted(scales, key=itemgetter(0)) if -scale >= least)]
+    return [each for scale, each in sorted(scales, key=itemgetter(0)) if -scale >= least]
 
 
 def add_lenses(sketch: Sketch) -> bool:
