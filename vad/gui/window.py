@@ -34,6 +34,7 @@ from vad.strokes.draw import chosen
 from vad.style import load_style
 from vad.units import DIMENSIONS, scene_unit
 from vad.words import Language, all_languages
+from vad.written import LOW
 
 #: The parts of its script, in order.
 SCRIPTS = ("window.js", "settings.js", "standing.js", "asking.js", "buttons.js")
@@ -53,7 +54,6 @@ _TURN, _HALF = (0.0, 360.0), (-180.0, 180.0)
 _LONGEST, _SHORTEST = 3.0, 0.05  # of a default length, at the ends of its slider
 _FASTEST = 3.0  # of a default rate
 _STEPS = 50  # of a default, at most
-_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")  # as in O₂
 
 
 def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
@@ -180,7 +180,7 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
             for name, value in kind.inputs.items()
         ],
         "assemblies": [
-            [point, point.translate(_LOWERED), [[name, texts.get(name, name)] for name in names]]
+            [point, point.translate(LOW), [[name, texts.get(name, name)] for name in names]]
             for point, names in _choices(kind).items()
         ],
     }

@@ -19,6 +19,7 @@ from vad.strokes.diagram import ACCELERATION, ORDERS, POSITION, VELOCITY, Spot, 
 from vad.strokes.scene import image_letter
 from vad.strokes.shapes import Arrow
 from vad.strokes.sheet import Panel, Sheet, Stroke, StrokePart
+from vad.written import LOW
 
 if TYPE_CHECKING:
     from vad.lecture.turn import Turn
@@ -101,7 +102,7 @@ class Followed:
         at = np.asarray(scene.motion.point(self.point).position)
         value = np.asarray(getattr(scene.motion.point(self.point), panel))
         unit = scene.unit_of(order)
-        index = f"_{self.point[0]}" + "".join(self.point[1:]).translate(_LOW)
+        index = f"_{self.point[0]}" + "".join(self.point[1:]).translate(LOW)
         if order is POSITION:
             upright = self.stance is not None or np.ptp(at.imag) > np.ptp(at.real)
             values = value.imag - (self.stance.lowest if self.stance else 0.0)
@@ -140,9 +141,6 @@ class Followed:
             zeros=() if abs(end) else (arrow,),
             title=panel.title,
         )
-
-
-_LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def _place(strokes: tuple[Stroke, ...], letter: str) -> complex | None:

@@ -33,7 +33,7 @@ LEAST_RING = 0.0165
 MOST = 2  # lenses in a panel
 
 
-def close_places(setting: Setting, vertices: Sequence[Vertex]) -> list[Close]:
+def _close_places(setting: Setting, vertices: Sequence[Vertex]) -> list[Close]:
     """Return the places where points cannot be told apart, the closest first."""
     if len(vertices) > CROWD:
         return []  # two lenses would not disentangle them, and to look for places takes a minute
@@ -102,7 +102,7 @@ class LensedLabels(PlacedLabels):
     ) -> None:
         """Add letters; see `LabelChoice`."""
         setting, sketch.vertices = sketch.setting, vertices
-        sketch.close = close_places(setting, vertices)[: self._count]
+        sketch.close = _close_places(setting, vertices)[: self._count]
         hidden = {number for close in sketch.close for number in close.members}
         for close in sketch.close:
             ring, half = circle(close.middle, ring_of(close, setting)), ROLES["lens place"].width

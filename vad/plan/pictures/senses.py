@@ -23,10 +23,11 @@ from vad.plan.lettering.glyphs import ink_size, width
 from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Lettering, Mark
 from vad.plan.pictures.angles import sense_arrow
+from vad.plan.pictures.machine import fixed_points
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Order
 from vad.strokes.reveals import measurer
-from vad.strokes.sheet import Arrow, Dot, Row
+from vad.strokes.sheet import Arrow, Row
 from vad.strokes.travels import turning
 
 #: Radius and span of an arrow, the best first.
@@ -96,7 +97,7 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
         taken = sketch.obstacles
         taken = Obstacles(taken.edge, [*taken.lines], [*taken.boxes])
         bars = {row.key: _bars(sketch, row) for row in sketch.setting.sheet.rows}
-        pivots = _pivots(sketch)
+        pivots = [sketch.scale(at) for _, at in fixed_points(panel)]
         for row in sketch.setting.sheet.rows:
             others = [bar for key, own in bars.items() if key != row.key for bar in own]
             ways: list[complex] = []
@@ -149,15 +150,6 @@ def _bars(sketch: Sketch, row: Row) -> list[tuple[complex, complex]]:
         if isinstance(stroke.shape, Arrow) and stroke.shape.start != stroke.shape.end
     ]
     return [(start, end) for _, start, end in sorted(bars, key=lambda bar: bar[0])]
-
-
-def _pivots(sketch: Sketch) -> list[complex]:
-    """Return the fixed pivots on the page."""
-    return [
-        sketch.scale(stroke.shape.at)
-        for stroke in sketch.setting.panel.strokes
-        if stroke.kind == "fixed" and isinstance(stroke.shape, Dot)
-    ]
 
 
 def arrow_near(
