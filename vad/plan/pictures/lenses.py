@@ -29,7 +29,7 @@ from vad.plan.marks import Mark, Polygon, disc, line
 from vad.plan.pictures.inset import reserved
 from vad.plan.reach import corners
 from vad.plan.roles import ROLES
-from vad.plan.scale import SCALE_GAP, bar_marks, fill, scale_bar
+from vad.plan.scale import SCALE_GAP, Scale, bar_marks, fill, scale_bar
 from vad.plan.sketch import Close, Setting, Sketch
 
 #: Draws a picture in a room with its labels; None where it has no place for its inset.
@@ -96,6 +96,15 @@ class Spot:
     lens: Lens
     words: Words
     middle: complex
+
+    def frame(self) -> Iterator[Mark]:
+        """Yield its rim over a band, the circle about its place, its leader and its words."""
+        lens = self.lens
+        yield disc(lens.at, lens.radius + BAND / 2, "lens band")
+        yield disc(lens.at, lens.radius, "lens rim")
+        yield disc(lens.place, lens.ring, "lens place")
+        yield line(lens.leader, "leader")
+        yield from self.words.marks(self.middle)
 
     def block(self, obstacles: Obstacles, since: int) -> None:
         """Add it to what other ink keeps clear of."""
@@ -254,14 +263,7 @@ def _add(sketch: Sketch, close: Close, spot: Spot, view: View) -> None:
     stroke = sketch.setting.panel.strokes[close.stroke]
     sketch.add(stroke, Level.LENS, since, on_page([disc(lens.at, lens.radius, "lens")]))
     sketch.items += view.shown
-    frame = [
-        disc(lens.at, lens.radius + BAND / 2, "lens band"),
-        disc(lens.at, lens.radius, "lens rim"),
-        disc(lens.place, lens.ring, "lens place"),
-        line(lens.leader, "leader"),
-        *spot.words.marks(spot.middle),
-    ]
-    sketch.add(stroke, Level.LENS, since, on_page(frame))
+    sketch.add(stroke, Level.LENS, since, on_page(spot.frame()))
 
     def through(mark: Mark) -> Mark:
         assert mark.hangs is not None
@@ -276,12 +278,12 @@ def _add(sketch: Sketch, close: Close, spot: Spot, view: View) -> None:
     sketch.lenses.append(lens)
 
 
-def _words(sketch: Sketch, close: Close) -> Words:
-    setting = sketch.setting
-    notation, factor = setting.sheet.notation, close.factor * sketch.scale.factor
+def words_of(setting: Setting, scale: Scale, enlarged: float) -> Words:
+    """Return the words below a lens that shows a picture of a scale so many times ``enlarged``."""
+    factor = enlarged * scale.factor
     value = scale_bar(factor, LONGEST_BAR)
-    number = notation.number(value, setting.panel.unit, given=True)
-    return Words(roman(f"×{close.factor:g}"), value * factor, roman(number))
+    number = setting.sheet.notation.number(value, setting.panel.unit, given=True)
+    return Words(roman(f"×{enlarged:g}"), value * factor, roman(number))
 
 
 def _corners(
@@ -293,7 +295,8 @@ def _corners(
     """
     crossing: list[Spot] = []
     setting, room = sketch.setting, sketch.setting.room
-    words, obstacles = _words(sketch, close), taken.during((close.since, FOREVER))
+    words = words_of(setting, sketch.scale, close.factor)
+    obstacles = taken.during((close.since, FOREVER))
     across = np.arange(room.left, room.right, STEP)
     upright = np.arange(room.bottom, room.top, STEP)
     grid = (across[:, None] + 1j * upright).ravel()
