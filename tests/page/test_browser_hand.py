@@ -16,6 +16,7 @@ from playwright.sync_api import Browser, Page, expect
 import vad
 from tests.browser import opened, until, violations
 from tests.page.lessons import at, page_of, press, show
+from vad.files.examples import example_path
 from vad.kinematics.reach import closing_range
 from vad.page.dimensions import readable
 from vad.page.document import document
@@ -319,9 +320,23 @@ def test_the_links_stop_where_they_part(browser: Browser, tmp_path: Path) -> Non
         )
 
 
+_COVERED = """() => {
+  const { top } = document.querySelector(".control").getBoundingClientRect();
+  return [...document.querySelectorAll(".foot p")].map((each) => each.getBoundingClientRect())
+    .map(({ bottom }) => bottom - top);
+}"""
+_LOWEST = """() => Math.min(...[...document.querySelectorAll(".other, .hides")]
+  .filter((each) => each.checkVisibility()).map((each) => each.offsetHeight))"""
+
+
 def test_a_finger_turns_the_crank_in_a_page_that_scrolls(browser: Browser, tmp_path: Path) -> None:
-    size = {"width": 390, "height": 500}
+    """On a phone, where both equations are seen, and each name can be touched."""
+    size = {"width": 390, "height": 844}
     with opened(browser, viewport=size, has_touch=True, reduced_motion="reduce") as page:
+        show(page, tmp_path, written(vad.load(example_path("jansen-leg"))()), "#hand")
+        assert max(page.evaluate(_COVERED)) <= 0 and page.evaluate(_LOWEST) >= 44
+        page.goto("about:blank")
+        page.set_viewport_size({"width": 390, "height": 500})
         show(page, tmp_path, page_of("four-bar"), f"#step={STEP}")
         client, length = page.context.new_cdp_session(page), crank(page)
         places = [about(page, degrees, length) for degrees in range(60, 200, 10)]

@@ -420,8 +420,15 @@ export function mount(root, data, { address = true } = {}) {
 
   one(".control").hidden = false;
   unfold(wide.matches && rail !== one(".steps"));
-  const own = one(".control"), sized = new ResizeObserver(() => root.style.setProperty("--dock", `${own.offsetHeight}px`));
-  sized.observe(own);
+  // How high the dock is, and what stands above it beside two drawings: whichever the second is.
+  const own = one(".control"), head = one(".board > header"), sized = new ResizeObserver(() => {
+    root.classList.add("sizing");
+    const [first, ...others] = all(".panel").map((panel) => [...panel.querySelectorAll(".top, .foot")].reduce((sum, each) => sum + each.offsetHeight, 0));
+    root.classList.remove("sizing");
+    root.style.setProperty("--dock", `${own.offsetHeight}px`);
+    root.style.setProperty("--beside", `${head.offsetHeight + first + Math.max(0, ...others)}px`);
+  });
+  for (const each of [own, head, ...all(".foot")]) sized.observe(each);
   // How wide the board is, by a line in it that has no height, which no size within the board moves.
   const ruler = one(".board").appendChild(document.createElement("div"));
   ruler.className = "ruler";
