@@ -28,7 +28,16 @@ from vad.plan.items import (
     head_of,
     in_painting_order,
 )
-from vad.plan.layout import MARGIN, OVERLAP, Page, beside, lay_out, rooms
+from vad.plan.layout import (
+    MARGIN,
+    OVERLAP,
+    TALL_VIEWS_SHARE,
+    VIEWS_SHARE,
+    Page,
+    beside,
+    lay_out,
+    rooms,
+)
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline, Wandering
 from vad.plan.page.changing import (
@@ -227,7 +236,12 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
     tall = next(
         (p.name for p in sheet.panels if p.picture == "skeleton" and is_tall(corners(p))), ""
     )
-    views = any(panel.picture == "views" for panel in sheet.panels)
+    shares = [
+        TALL_VIEWS_SHARE if is_tall(corners(panel)) else VIEWS_SHARE
+        for panel in sheet.panels
+        if panel.picture == "views"
+    ]
+    views = max(shares, default=0.0)
     # A first layout tells the panels' width, the second knows how many lines they need.
     high = heights(sheet.rows, names)
     first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall, high, views)

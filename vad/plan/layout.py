@@ -28,9 +28,9 @@ ALONE = "drive"
 #: What two of four columns take of an equal share: the first one, below which the names of the rows
 #: stand, and that of the driven body alone.
 FIRST_SHARE, ALONE_SHARE = 1.1, 0.9
-#: What the views of a mechanism in space take of an equal share, where columns are narrow: there
-#: notes stand beside them.
-VIEWS_SHARE = 1.06
+#: What the views of a mechanism in space take of an equal share, where columns are narrow; tall
+#: ones, which fill the height, take less: only their notes stand beside them.
+VIEWS_SHARE, TALL_VIEWS_SHARE = 1.20, 1.06
 SLENDER_COLUMN = 0.30  # of a tall picture, beside columns that are at least
 BESIDE_SLENDER = 0.40
 ROW_PITCH = 0.040
@@ -135,7 +135,7 @@ def lay_out(
     caption_lines: int,
     tall: str = "",
     table: Table = NO_TABLE,
-    views: bool = False,
+    views: float = 0.0,
 ) -> Page:
     """Return the page for the panels named in ``equations`` (their numbers of foot lines).
 
@@ -145,7 +145,8 @@ def lay_out(
     for the results, else in a grid.  One that is
     ``tall`` needs little width, and so stands beside the others on a narrower page, too.  Four
     panels, and those of a mechanism in ``views``, which stand one above the other, stand side by
-    side where that makes their shortest side longer than a grid does.
+    side where that makes their shortest side longer than a grid does; ``views`` is the share of an
+    equal column that these take there, 0 for a mechanism in the plane.
 
     Raises
     ------
@@ -169,7 +170,7 @@ def lay_out(
     if not page.columns and page.results:
         room, count = _equal(form, len(equations)), len(equations)
         if views and count > 1:
-            more = (VIEWS_SHARE - 1.0) * room[0]
+            more = (views - 1.0) * room[0]
             room = [room[0] + more, *(each - more / (count - 1) for each in room[1:])]
         beside = row(room, equations, tight=True)
         tight = page.results.height < TIGHT * table.whole and _least(beside) >= LEAST_BESIDE
