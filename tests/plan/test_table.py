@@ -113,3 +113,12 @@ def test_several_numbers_with_one_unit_share_it_where_there_is_no_room_for_all()
     entries = laid.cells(1, sheet.rows[1], "velocity", False)
     texts = ["".join(run.text for run in entry.number.shape.runs) for entry in entries]
     assert [text.endswith("rad/s") for text in texts] == [False, False, True]
+
+
+def test_a_number_that_is_the_name_of_a_shaft_stands_once():
+    sheet = vad.draw(vad.solve(vad.HookeJoint()))
+    assert {row.cells["velocity"][0].body for row in sheet.rows} >= {"2", "4"}
+    page = plan(sheet, screen((960, 720)), load_style("paper").key)
+    marks = [mark.shape for item in page.items for mark in item.marks if mark.role == "words"]
+    words = {"".join(run.text for run in each.runs) for each in marks}
+    assert {"driving shaft 2", "driven shaft 4"} <= words

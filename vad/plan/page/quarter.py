@@ -377,7 +377,7 @@ class Entries:
         """Return the name of a row with its letters."""
         cells = next(filter(None, row.cells.values()), ())
         number = cells[0].body if cells and self.numbers else ""
-        behind = roman(f" ({number})") if number else ()
+        behind = roman(f" ({number})") if number not in ("", row.letters) else ()
         return roman(row.title + " ") + symbols(row.letters) + behind
 
     def legend(self, end: complex) -> list[Mark]:
