@@ -10,18 +10,21 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+import vad
 from tests.plan.overlaps import overlaps, planned
 from tests.plan.sheet_of_views import sheet_of_views
 from vad.export.sheet_json import sheet_from_json, to_text
 from vad.plan.format import screen
 from vad.plan.items import Item
+from vad.plan.labels.placing import distance
+from vad.plan.layout import TALL_VIEWS_SHARE, VIEWS_SHARE
 from vad.plan.live_board import LiveBoard
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon
 from vad.plan.page.changing import caption_lines
 from vad.plan.pictures.curves import curve_of
-from vad.plan.pictures.views import Views
+from vad.plan.pictures.views import WIDTHS, Views
 from vad.plan.scale import Scale, views_scale
-from vad.plan.sketch import Setting, Sketch
+from vad.plan.sketch import Setting, Sketch, Tag
 from vad.plan.stage import Stage
 from vad.strokes.sheet import Arrow, Ellipse
 
@@ -32,6 +35,10 @@ def marks(items: list[Item], name: str, role: str) -> list[Mark]:
     return [
         mark for item in items if item.stroke == name for mark in item.marks if mark.role == role
     ]
+
+
+def roles(sketch: Sketch, *names: str) -> list[Mark]:
+    return [mark for item in sketch.items for mark in item.marks if mark.role in names]
 
 
 def setting(room_of: Sketch) -> Setting:
@@ -206,6 +213,62 @@ def test_under_the_hand_the_views_keep_their_scale_and_letters_stand_once_a_view
         assert sorted(letters) == ["O", "P", "P", "Q", "T"]
         assert {"P", "P 1"} <= set(ways["position"])
     assert len(scales) == 1
+
+
+def place_of(sketch: Sketch, tag: Tag) -> tuple[float, float]:
+    """Return how far a letter is from its own dot, and from the nearest other one."""
+    dots = {
+        mark.shape.centre
+        for item in sketch.items
+        for mark in item.marks
+        if mark.role in ("joint", "point") and isinstance(mark.shape, Disc)
+    }
+    named = [vertex.at for vertex in sketch.vertices if vertex.label == tag.text]
+    own = min(named, key=lambda at: distance(tag.box, at))
+    others = [distance(tag.box, at) for at in dots if abs(at - own) > 1e-6]
+    return distance(tag.box, own), min(others)
+
+
+@pytest.mark.parametrize("degrees", [45.0, 210.0, 330.0])
+def test_no_letter_of_a_view_seems_to_name_a_joint_without_one(degrees: float):
+    sketch = planned(vad.draw(vad.solve(vad.HookeJoint(), angle=degrees))).sketches["position"]
+    assert sketch.unnamed
+    ends = [end for mark in roles(sketch, "leader") for end in mark.shape.pieces[0]]
+    letters = [tag for tag in sketch.tags if tag.text in ("P", "Q", "T", "P, T", "Q, T")]
+    assert len(letters) >= 4
+    for tag in letters:
+        own, other = place_of(sketch, tag)
+        led = any(distance(tag.box, end) < 0.008 for end in ends)
+        assert led or own < other
+
+
+@pytest.mark.parametrize("degrees", [120.0, 180.0, 300.0])
+def test_the_sense_of_the_driver_lies_on_no_circle(degrees: float):
+    sketch = planned(vad.draw(vad.solve(vad.HookeJoint(), angle=degrees))).sketches["position"]
+    given_, *_ = roles(sketch, "sense")
+    assert isinstance(given_.shape, Bow)
+    assert sketch.obstacles.edge.holds(given_.shape.line()[0])
+    paths = [mark.shape for mark in roles(sketch, "path", "angle") if isinstance(mark.shape, Bow)]
+    radii = {abs(path.line()[0] - path.centre) for path in paths if path.centre == sketch.scale(0j)}
+    assert min(abs(given_.shape.radius - radius) for radius in radii) > 0.008
+
+
+def test_on_a_narrow_page_notes_have_short_lines_before_views_are_drawn_smaller():
+    sheet = vad.draw(vad.solve(vad.HookeJoint(), angle=30.0))
+    panel = planned(sheet, (960, 720)).sketches["position"]
+    fitting = views_scale(panel.setting, [panel.setting.panel])
+    assert panel.scale.factor > 0.9 * fitting.factor
+    notes = {tag.text: tag.box for tag in panel.tags if tag.text.count(" ") > 1}
+    assert len(notes) == 2
+    assert all(box.width < WIDTHS[0] for box in notes.values())
+
+
+def test_on_a_narrow_page_views_have_a_wider_column_but_where_they_are_tall():
+    for kind, share in ((vad.HookeJoint, TALL_VIEWS_SHARE), (vad.SphericalFourBar, VIEWS_SHARE)):
+        page = planned(vad.draw(vad.solve(kind(), angle=60.0)), (960, 720)).page
+        widths = [place.drawing.width for place in page.panels.values()]
+        assert widths[0] == pytest.approx(share * sum(widths) / 3)
+        assert widths[1] == pytest.approx(widths[2])
 
 
 def test_in_a_lesson_views_are_large_while_they_are_drawn():

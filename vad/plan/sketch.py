@@ -208,6 +208,8 @@ class Sketch:
         drawn.
     vertices
         The points that bear letters.
+    unnamed
+        Joints that bear none: no letter may seem to name one.
     close, lenses
         The places where points cannot be told apart, and the lenses that show some of them.
     astray
@@ -222,6 +224,7 @@ class Sketch:
     lights: dict[str, list[Mark]] = field(default_factory=dict)
     finished: bool = False
     vertices: Sequence[Vertex] = ()
+    unnamed: list[complex] = field(default_factory=list)
     close: list[Close] = field(default_factory=list)
     lenses: list[Lens] = field(default_factory=list)
     astray: float = 0.0

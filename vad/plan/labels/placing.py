@@ -204,10 +204,9 @@ def near_places(obstacles: Obstacles, wish: Wish) -> list[Placed]:
 
 def _leans(spot: Placed, wish: Wish) -> bool:
     """Tell whether the middle of a label, and no less of its box, is nearer to its own dot."""
-    off, own = abs(spot.centre - wish.at), _distance(spot.box, wish.at)
+    off, own = abs(spot.centre - wish.at), distance(spot.box, wish.at)
     return all(
-        off < abs(spot.centre - rival) and own <= _distance(spot.box, rival)
-        for rival in wish.rivals
+        off < abs(spot.centre - rival) and own <= distance(spot.box, rival) for rival in wish.rivals
     )
 
 
@@ -284,18 +283,19 @@ def belongs(box: Rect, at: complex, rivals: Iterable[complex]) -> bool:
 
     Of a rival close by it stands on the other side of its dot.
     """
-    own, left, right = _distance(box, at), box.left, box.right
+    own, left, right = distance(box, at), box.left, box.right
     near = NEARER * own
     for rival in rivals:
         x = rival.real
         if left - x > near or x - right > near:
             continue  # far to one side, as most are
-        if _distance(box, rival) <= min(near, own + BEYOND * abs(rival - at)):
+        if distance(box, rival) <= min(near, own + BEYOND * abs(rival - at)):
             return False
     return True
 
 
-def _distance(box: Rect, point: complex) -> float:
+def distance(box: Rect, point: complex) -> float:
+    """Return how far a point is from a box."""
     aside = max(box.left - point.real, point.real - box.right, 0.0)
     above = max(box.bottom - point.imag, point.imag - box.top, 0.0)
     return math.hypot(aside, above)

@@ -242,7 +242,10 @@ def label_vertices(
     all_ = among or vertices
     for size in LETTERS if len(all_) <= CROWD else LETTERS[-1:]:
         wishes = [
-            replace(wish(each, all_, radius, near, size), span=_span(sketch, each, until))
+            replace(
+                wish(each, all_, radius, near, size, sketch.unnamed),
+                span=_span(sketch, each, until),
+            )
             for each in vertices
         ]
         crowd = sketch.obstacles.copy()
@@ -263,10 +266,12 @@ def wish(
     radius: float,
     near: Sequence[float],
     letter: float = LETTER,
+    unnamed: Sequence[complex] = (),
 ) -> Wish:
     """Return the place that the label of a vertex asks for: away from dots close by."""
     size = _size(tuple(vertex.letters), letter)
     rivals = [other.at for other in all_ if other is not vertex]
+    rivals += [at for at in unnamed if abs(at - vertex.at) > SAME]
     close = [direction_of(vertex.at, at) for at in rivals if SAME < abs(at - vertex.at) < CLOSE_BY]
     first = outward(close or vertex.ways)
     return Wish(vertex.at, first, *size, radius, near, rivals)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -49,6 +49,8 @@ SENSE_SIZES = (  # radius and span, the best first
     (0.104, 46.0),
     (0.120, 40.0),
 )
+#: Beyond the circle on which a crank runs, where it is drawn.
+WIDER = ((0.135, 38.0), (0.150, 34.0), (0.170, 30.0))
 SENSE_LEAD = 63.0
 SENSE_HEAD = 0.018
 LINE = ROLES["angle"].width
@@ -141,13 +143,14 @@ def free_place(
     sense: float,
     name: str = "ω",
     largest: float = math.inf,
+    sizes: Sequence[tuple[float, float]] = SENSE_SIZES,
 ) -> SensePlace | None:
     """Return a free place for the arrow of ω, best ahead of a crank that stands at so many degrees.
 
     ``sense`` is ±1, the sense in which it turns, ``name`` what is written beside it, ``largest``
-    the largest radius.  None where no place is free.
+    the largest radius, ``sizes`` its radii and spans.  None where no place is free.
     """
-    places = [place for place in _ahead(crank, sense) if place.radius <= largest]
+    places = [place for place in _ahead(crank, sense, sizes) if place.radius <= largest]
     letters = [place.letter(centre, name) for place in places]
     spots, first = [letter.centre for letter in letters], letters[0]
     clear = obstacles.free(spots, first.wide, first.high, CLEARANCE, APART)
@@ -178,12 +181,14 @@ def least_crossing(obstacles: Obstacles, centre: complex, crank: float, sense: f
     return min(_ahead(crank, sense), key=crossed)
 
 
-def _ahead(crank: float, sense: float) -> list[SensePlace]:
+def _ahead(
+    crank: float, sense: float, sizes: Sequence[tuple[float, float]] = SENSE_SIZES
+) -> list[SensePlace]:
     """Return places for a curved arrow, the best first: small ones ahead of a crank."""
     turns = sorted(range(0, 360, 15), key=lambda t: min(t, 360 - t))
     return [
         SensePlace(radius, span, crank + sense * (SENSE_LEAD + turn))
-        for (radius, span), turn in itertools.product(SENSE_SIZES, turns)
+        for (radius, span), turn in itertools.product(sizes, turns)
     ]
 
 
@@ -204,16 +209,23 @@ def calm_place(poses: Iterable[tuple[complex, Obstacles]], name: str = "ω") -> 
     return places[int(met.argmin())]
 
 
-def add_free_sense(sketch: Sketch, index: int | None, angle: Stroke) -> None:
+def add_free_sense(
+    sketch: Sketch,
+    index: int | None,
+    angle: Stroke,
+    sizes: Sequence[tuple[float, float]] = SENSE_SIZES,
+) -> None:
     """Add the arrow of the given ω, if there is one, where it meets nothing of this one pose.
 
-    It comes with stroke number ``index``, and stands about the centre of an ``angle``.
+    It comes with stroke number ``index``, and stands about the centre of an ``angle``; ``sizes``
+    are the radii and spans that it may have.
     """
     omega, shape = sketch.setting.sheet.driver.omega, angle.shape
     if omega and index is not None and isinstance(shape, Arc):
         crank, sense = shape.start + shape.sweep, math.copysign(1.0, omega)
         name = rate_of(sketch)
-        place = free_place(sketch.obstacles, sketch.scale(shape.centre), crank, sense, name)
+        centre = sketch.scale(shape.centre)
+        place = free_place(sketch.obstacles, centre, crank, sense, name, sizes=sizes)
         if place:
             add_sense(sketch, index, angle, place)
             block_sense(sketch, angle, place)

@@ -11,6 +11,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -61,6 +62,7 @@ from vad.strokes.sheet import (
     Ellipse,
     Fold,
     Line,
+    Note,
     Panel,
     Stroke,
 )
@@ -68,15 +70,36 @@ from vad.strokes.sheet import (
 #: Of joints and sleeves: two views have the room of one mechanism in the plane.
 SIZE = 0.8
 RADIUS = machine.JOINT_REACH * SIZE
-NEAR = (0.012, 0.018, 0.026, 0.034)
+NEAR = (0.012, 0.018, 0.026)
 NOTE = 0.030
 NOTE_PITCH = 0.034
 NOTE_STEP = 0.006
-WIDEST = 0.17  # of a note
+#: The width of a note, and of one that has no place so wide, the best first.
+WIDTHS = (0.17, 0.13, 0.10)
+#: So near to its best place a note has all the width that it asks for.
+BESIDE = 0.08
 #: The rotation of a plane into the paper has so many pieces, in each of which the scale changes
 #: evenly.
 SWINGS = 24
 _AT_ONCE = 256  # places of a note that are tried at once: usually the first is free
+
+
+class Aside(NamedTuple):
+    """Where a note stands.
+
+    Attributes
+    ----------
+    off
+        How far from its best place, on the page.
+    widest
+        The most width of its lines.
+    stray
+        The distance; infinite where it has no free place.
+    """
+
+    off: complex
+    widest: float
+    stray: float
 
 
 class Views:
@@ -137,7 +160,8 @@ class Views:
         add_notes(sketch)
         driven = panel.find(setting.sheet.driver.angle)
         if driven is not None:
-            angles.add_free_sense(sketch, driven, panel.strokes[driven])
+            sizes = angles.SENSE_SIZES + angles.WIDER
+            angles.add_free_sense(sketch, driven, panel.strokes[driven], sizes)
         points = [vertex.at for vertex in vertices]
         for index, stroke in enumerate(panel.strokes):
             if isinstance(stroke.shape, Line):
@@ -161,12 +185,12 @@ class Views:
         return self._standing[1]
 
     @property
-    def asides(self) -> list[complex]:
-        """How far from its best place each note stands, on the page."""
+    def asides(self) -> list[Aside]:
+        """Where each note stands."""
         return self._standing[2]
 
     @cached_property
-    def _standing(self) -> tuple[Sketch, Obstacles, list[complex]]:
+    def _standing(self) -> tuple[Sketch, Obstacles, list[Aside]]:
         frame = tuple(s for s in self.poses[0].strokes if s.name in self._unmoved)
         setting = replace(self._setting, panel=replace(self.poses[0], strokes=frame))
         still = Sketch(setting, self.scale, Obstacles(setting.room), finished=True)
@@ -255,6 +279,7 @@ def add_stroke(sketch: Sketch, index: int) -> None:
                 sketch.hang(index, Level.DOT, [machine.joint(anchor, size=SIZE)], since="after")
                 at = sketch.solved.place(anchor)
                 sketch.obstacles.disc(at, RADIUS, (setting.after(index), FOREVER))
+                sketch.unnamed.append(at)
         case Curve() | Ellipse():
             add_curve(sketch, index)
         case Dot(at):
@@ -335,30 +360,47 @@ def _add_dot(sketch: Sketch, index: int, at: complex) -> None:
     sketch.hang(index, Level.DOT, [mark], until="after" if stroke.label else "never")
     if not stroke.label:
         sketch.obstacles.disc(at, RADIUS, (setting.during(index), FOREVER))
+        sketch.unnamed.append(at)
 
 
-def add_notes(sketch: Sketch, before: Sequence[complex] = ()) -> list[complex]:
+def add_notes(sketch: Sketch, before: Sequence[Aside] = ()) -> list[Aside]:
     """Add the notes of a panel, clear of all that is there, and return `Views.asides`.
 
     They stay as they were ``before``.
     """
     setting, asides = sketch.setting, list(before)
     for number, note in enumerate(setting.panel.notes):
-        rows = wrap(pieces_of(note.text), NOTE, WIDEST)
-        sizes = [ink_size(runs, NOTE) for runs in rows]
-        wide = max(wide for wide, _ in sizes)
-        high = max(high for _, high in sizes) + (len(rows) - 1) * NOTE_PITCH
         best = sketch.scale(note.at)
         if not before:
-            spot, free = _nearest(sketch.obstacles, best, (wide, high))
-            asides.append(spot - best)
-            sketch.astray = max(sketch.astray, abs(spot - best) if free else math.inf)
-        centre = best + asides[number]
+            asides.append(_aside(sketch.obstacles, best, note))
+            sketch.astray = max(sketch.astray, asides[number].stray)
+        rows, wide, high = _set(note, asides[number].widest)
+        centre = best + asides[number].off
         sketch.add(None, Level.LABEL, setting.during(0), on_page(_rows(rows, centre)))
         box = Placed(centre, wide, high).box
         sketch.tags.append(Tag(note.text, box))
         sketch.obstacles.box(box)
     return asides
+
+
+def _aside(obstacles: Obstacles, best: complex, note: Note) -> Aside:
+    """Return where a note has room: with short lines only if that is nearer to its best place."""
+    found = []
+    for widest in WIDTHS:
+        _, *size = _set(note, widest)
+        spot, free = _nearest(obstacles, best, (size[0], size[1]))
+        found.append(Aside(spot - best, widest, abs(spot - best) if free else math.inf))
+        if found[-1].stray <= BESIDE:
+            break
+    return min(found, key=lambda aside: aside.stray)
+
+
+def _set(note: Note, widest: float) -> tuple[list[Runs], float, float]:
+    """Return the lines of a note, and its width and height."""
+    rows = wrap(pieces_of(note.text), NOTE, widest)
+    sizes = [ink_size(runs, NOTE) for runs in rows]
+    wide, high = max(wide for wide, _ in sizes), max(high for _, high in sizes)
+    return rows, wide, high + (len(rows) - 1) * NOTE_PITCH
 
 
 def _rows(rows: Sequence[Runs], centre: complex) -> list[Mark]:
