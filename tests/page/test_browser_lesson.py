@@ -64,6 +64,7 @@ def test_every_stroke_by_keyboard_and_back(lesson: Page) -> None:
         assert lesson.locator(".scrub").get_attribute("aria-valuetext") == spoken[number - 1]
     press(lesson, "ArrowRight", "PageDown")
     assert at(lesson) == STROKES
+    expect(lesson.locator(".steps a[aria-current]")).to_be_in_viewport(ratio=1)
     for number in reversed(range(STROKES)):
         press(lesson, "ArrowLeft" if number % 2 else "PageUp")
         assert at(lesson) == number

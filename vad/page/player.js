@@ -196,10 +196,19 @@ export function mount(root, data, { address = true } = {}) {
     let shown = stroke;
     while (shown > 0 && lesson.links[shown].parentNode.className === "same") shown -= 1; // Each round goes one entry back.
     lesson.links.forEach((link, i) => i === shown ? link.setAttribute("aria-current", "step") : link.removeAttribute("aria-current"));
+    follow();
     const chapter = lesson.chapters.findLast((each) => each.dataset.x <= Math.max(stroke, 0));
     lesson.chapters.forEach((each) => each.setAttribute("aria-current", each === chapter));
     clearTimeout(timer);
     if (address) timer = setTimeout(write, 250);
+  }
+
+  // The list of strokes moves, within its own frame, so that the one of now is in sight.
+  function follow() {
+    const link = lesson.links.find((each) => each.hasAttribute("aria-current")) ?? lesson.links[0];
+    if (!link?.checkVisibility()) return;
+    const frame = rail.getBoundingClientRect(), own = link.getBoundingClientRect();
+    if (own.top < frame.top || own.bottom > frame.bottom) rail.scrollTop += (own.top + own.bottom - frame.top - frame.bottom) / 2;
   }
 
   // A chapter that was chosen is current before its first stroke, and its panel is seen.
@@ -369,6 +378,7 @@ export function mount(root, data, { address = true } = {}) {
   function unfold(open) {
     rail.classList.toggle("closed", !open);
     one("[data-do=strokes]").setAttribute("aria-expanded", open);
+    if (lesson) follow();
     if (open && rail === one(".steps")) rail.scrollIntoView({ block: "nearest", behavior: calm.matches ? "auto" : "smooth" });
   }
 
@@ -443,7 +453,7 @@ export function mount(root, data, { address = true } = {}) {
   if (address) seek(place(location.hash) ?? x, true);
   return {
     load, seek, play, stop, place, does, on, speed, status, stage,
-    take: (mode) => { stop(); others = mode; label(lesson.words.play); },
+    take: (mode) => { stop(); others = mode; label(lesson.words.play); follow(); },
     // The last stroke that is drawn: its panel, and its number there.
     where: () => { const last = Math.max(0, Math.ceil(x) - 1), panel = panelOf(last); return [panel, last - lesson.first[panel] + 1]; },
     strokes,
