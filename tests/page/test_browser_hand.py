@@ -289,8 +289,10 @@ def test_the_links_stop_where_they_part(browser: Browser, tmp_path: Path) -> Non
         press(page, "End", "h", "End")
         assert angle(page) == pytest.approx(120.25478740083423, abs=1e-9)
         expect(page.locator(".said p")).to_have_text(
-            "Limit position at 120.3°: BC and DC are in line."
+            "Limit position at 120.255°: BC and DC are in line."
         )
+        expect(page.locator(".said input")).to_have_value("120.255")
+        assert "120.255°" in page.locator(".results").inner_text()
         assert "ω3= –" in page.locator(".results").inner_text()
         assert "10" in page.locator(".results tr").nth(1).inner_text()
         assert violations(page) == []

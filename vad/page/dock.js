@@ -37,10 +37,10 @@ function docked(root, body, player) {
     const value = digits * (!other || other === own ? 1 : data.readable[own]?.[other]);
     return Math.abs(value) <= 1e200 ? value : null;
   };
-  // What was typed is not rounded away.
+  // As the table writes it, but as many decimals as a step has are there always.
   const here = () => {
-    const [, decimals = ""] = String(+body.place.toPrecision(9)).split(".");
-    return number(body.place, decimals.length <= digits + 3 ? Math.max(digits, decimals.length) : digits);
+    const [, decimals = ""] = typed(body.place).split(".");
+    return number(body.place, Math.max(digits, decimals.includes("e") ? 0 : decimals.length));
   };
   const placed = () => turns ? `${here()}°` : `${here()} ${unit}`;
   const share = (place) => (place - low) / (high - low);
