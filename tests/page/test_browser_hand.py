@@ -537,6 +537,12 @@ def test_a_slider_stops_where_the_links_close_nowhere(page: Page) -> None:
     box.fill("-3")
     press(page, "Enter")
     expect(page.locator(".said p")).to_contain_text("must be positive")
+    box.fill("1e9")
+    press(page, "Enter")
+    right = "must be from 1.2 to 12000 mm, where numbers are right, got 1e9"
+    expect(page.locator(".said p")).to_have_text(f"coupler: {right}")
+    told = page.evaluate("() => vad.solve({ coupler: 1e9 }).error")
+    assert told == f"coupler: {right.replace('1e9', '1000000000')}"
     press(page, "Escape")
 
 

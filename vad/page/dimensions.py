@@ -11,6 +11,9 @@ from vad.plan.hand_board import HandBoard
 from vad.strokes.traced_dimensions import AROUND_ZERO, RANGE
 from vad.units import DIMENSIONS, LENGTH_UNITS, metres_of, scene_unit
 
+#: So many times its value is the most that a box of the page takes, and that part of it the least:
+#: there, all results are right to 1e-12 of the largest.
+FARTHEST = 100.0
 #: Quantities in degrees, and those of loads and masses that are never negative.
 _ANGLES, _POSITIVE = ("angle", "direction"), ("mass", "inertia", "friction")
 
@@ -26,7 +29,8 @@ def _quantity(known: Mapping[str, Any], name: str) -> str:
 def dimensions(board: HandBoard, driver: Sequence[str]) -> Iterator[list[Any]]:
     """Yield each dimension that can be changed.
 
-    They are its name, its value, the ends of its slider, its unit, and its place among the inputs.
+    They are its name, its value, the ends of its slider, its unit, its place among the inputs, and
+    the least and the most that its box takes.
     """
     own = board.mechanism.dimensions()
     known: dict[str, Any] = {each.name: each.metadata for each in fields(board.mechanism)}
@@ -52,7 +56,30 @@ def dimensions(board: HandBoard, driver: Sequence[str]) -> Iterator[list[Any]]:
                 low, high = 0.0, 1.0
         unit = scene_unit(quantity, board.mechanism.length_unit)
         unit = "°" if quantity in _ANGLES else unit.replace("^2", "²")
-        yield [name, value, low, high, unit, places[name]]
+        yield [
+            name,
+            value,
+            low,
+            high,
+            unit,
+            places[name],
+            _taken(value, largest, quantity, metadata),
+        ]
+
+
+def _taken(
+    value: float, largest: float, quantity: str, metadata: Mapping[str, Any]
+) -> tuple[float, float]:
+    """Return the least and the most that a dimension may be; one of a point may be negative."""
+    if "between" in metadata:
+        least, most, _ = metadata["between"]
+        return least, most
+    if quantity in _ANGLES:
+        return -360.0 * FARTHEST, 360.0 * FARTHEST
+    most = FARTHEST * (abs(value) or largest)
+    if metadata.get("signed", True):
+        return -most, most
+    return value / FARTHEST, most
 
 
 def readable(length_unit: str) -> dict[str, dict[str, float]]:

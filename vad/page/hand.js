@@ -6,7 +6,7 @@
 //   closes       outputs that exist wherever they close
 //   guards       outputs that are truth values, and what they are while the picture holds
 //   rates        for each rate an output that exists wherever it does
-//   dimensions   of each its name, value, ends, unit and its place among the inputs
+//   dimensions   of each its name, value, ends, unit, its place among the inputs, and what is taken
 //   assemblies   of each its name, and the factors of its loops, which are the inputs "sides"
 //   limits       outputs that are zero where links part, and how they stand there
 // Listeners hear of every pose: on(listener).
@@ -33,6 +33,12 @@ function driven(root, solve, data) {
   function holds(values) {
     solve(...values, out, 0);
     return data.guards.every(([at, value]) => out[at] === value);
+  }
+
+  // The word that says why an input cannot have a value, and what it takes; no word where it can.
+  function refused(index, value) {
+    const [least, most] = data.dimensions.find((each) => each[5] === index)?.[6] ?? [-Infinity, Infinity];
+    return [value >= least && value <= most ? "" : least > 0 && value <= 0 ? "positive" : "beyond", least, most];
   }
 
   // What does not move with the driver: the dimensions, and the factors of the loops.
@@ -131,7 +137,7 @@ function driven(root, solve, data) {
   const within = (degrees) => (degrees % 360 + (degrees % 360 < 0 ? 360 : 0));
 
   return {
-    data, turns, ends, state, out, view, solve, closes, holds, set, move, show, key, among, assembly, assembled, beyond, parting,
+    data, turns, ends, state, out, view, solve, closes, holds, refused, set, move, show, key, among, assembly, assembled, beyond, parting,
     on: (listener) => listeners.push(listener),
     rest: () => { wanted = state[0]; },
     get ranges() { return ranges; },

@@ -4,7 +4,7 @@
 // railed(root, body, dock): each row has a name, a box, a unit and a slider with a notch at the
 // lesson's value. What does not go is not done: the slider stops, and the dock says why.
 
-const SOME = 5, FOLDED = 4, TRIES = 12;
+const SOME = 5, FOLDED = 4, STEPS = 32;
 
 function railed(root, body, dock) {
   const { data, state } = body, { words } = data, rows = [];
@@ -49,8 +49,8 @@ function railed(root, body, dock) {
     };
     const change = (value) => {
       dock.begin();
-      if (dock.beyond && !body.holds(state.map((each, i) => (i === index ? value : each)))) return dock.beyond(name, value);
-      const said = reached(index, value);
+      if (dock.beyond && (body.refused(index, value)[0] || !body.holds(state.map((each, i) => (i === index ? value : each))))) return dock.beyond(name, value);
+      const said = reached(index, value, step / STEPS);
       dock.scale();
       dock.settle();
       show();
@@ -61,11 +61,12 @@ function railed(root, body, dock) {
       else if (active) box.value = asked;
     };
     const typed = () => {
-      const value = dock.read(box.value, unit), wrong = value === null || (low > 0 && unit !== "°" && value <= 0);
-      box.toggleAttribute("aria-invalid", wrong);
-      if (!wrong) return change(value);
+      const value = dock.read(box.value, unit), [word, ...ends] = value === null ? ["no-number"] : body.refused(index, value);
+      box.toggleAttribute("aria-invalid", word);
+      if (!word || (word === "beyond" && dock.beyond)) return change(value);
       dock.begin();
-      dock.fault(filled(words[value === null ? "no-number" : "positive"], { name: label.textContent, value: box.value || "–" }));
+      const [least, most] = ends.map((each) => written(tidy(each, step)));
+      dock.fault(filled(words[word], { name: label.textContent, value: box.value || "–", low: least, high: most, unit }));
     };
     slider.addEventListener("input", () => change(Math.round(slider.value / step) * step));
     slider.addEventListener("change", dock.commit);
@@ -83,13 +84,13 @@ function railed(root, body, dock) {
   }
 
   // Sets an input; where the links then close nowhere, or the picture does not hold, as near to it
-  // as it goes. If that is not all the way, the words that say why.
-  function reached(index, value) {
+  // as it goes, to a length that does not matter. If that is not all the way, the words that say why.
+  function reached(index, value, near) {
     const was = [...state], to = (share) => was.map((each, i) => i === index ? (share < 1 ? each + share * (value - each) : value) : each);
     if (body.set(to(1))) return "";
     const why = body.holds(to(1)) ? "unclosed-nowhere" : "guarded";
     let inside = 0, outside = 1;
-    for (let i = 0; i < TRIES; i++) {
+    while ((outside - inside) * Math.abs(value - was[index]) > near) {
       const middle = (inside + outside) / 2;
       if (body.set(to(middle))) inside = middle;
       else outside = middle;

@@ -1075,6 +1075,7 @@ HAND = {
     "known": "sie hat {names}",
     "no-number": "{name}: muss eine endliche Zahl sein, nicht {value}",
     "positive": "{name}: muss positiv sein, nicht {value}",
+    "beyond": "{name}: muss von {low} bis {high} {unit} gehen, wo Zahlen stimmen, nicht {value}",
     "assembly": "assembly: muss auf dieser Seite {names} sein, nicht {value}",
     "other-page": "sie hat eine eigene Seite: vad draw --assembly {value}",
     "or": " oder ",

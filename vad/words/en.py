@@ -937,6 +937,7 @@ HAND = {
     "known": "it has {names}",
     "no-number": "{name}: must be a finite number, got {value}",
     "positive": "{name}: must be positive, got {value}",
+    "beyond": "{name}: must be from {low} to {high} {unit}, where numbers are right, got {value}",
     "assembly": "assembly: must be {names} in this page, got {value}",
     "other-page": "it has a page of its own: vad draw --assembly {value}",
     "or": " or ",

@@ -1059,6 +1059,7 @@ HAND = {
     "known": "elle a {names}",
     "no-number": "{name} : il faut un nombre fini, pas {value}",
     "positive": "{name} : il faut un nombre positif, pas {value}",
+    "beyond": "{name} : il faut de {low} à {high} {unit}, où les nombres sont justes, pas {value}",
     "assembly": "assembly : doit être {names} dans cette page, et non {value}",
     "other-page": "il a sa propre page : vad draw --assembly {value}",
     "or": " ou ",
