@@ -271,6 +271,29 @@ def test_on_a_narrow_page_views_have_a_wider_column_but_where_they_are_tall():
         assert widths[1] == pytest.approx(widths[2])
 
 
+@pytest.mark.parametrize(
+    "kind", [vad.HookeJoint, vad.RSSR, vad.SpatialFourBar, vad.SphericalFourBar]
+)
+def test_the_note_of_a_view_comes_with_its_first_stroke(kind: type):
+    sheet = vad.draw(vad.solve(kind()))
+    sketch, panel = planned(sheet, lesson=True).sketches["position"], sheet.panel("position")
+    assert {note.comes for note in panel.notes} <= {stroke.name for stroke in panel.strokes}
+    shown = [item.since for item in sketch.items if "notes" in {m.role for m in item.marks}]
+    assert sorted(shown) == sorted(
+        sketch.setting.during(panel.number(note.comes)) for note in panel.notes
+    )
+    assert max(shown) > 0
+
+
+def test_a_small_thumbnail_of_views_has_letters_alone():
+    sheet = vad.draw(vad.solve(vad.SphericalFourBar()))
+    for size, written in (((1280, 720), True), ((960, 720), False)):
+        scene = Stage(sheet, screen(size), 0.058).scene(1)
+        texts = {tag.text for tag in scene.sketches["position"].tags}
+        assert {"A", "B", "C", "D", "O"} <= texts
+        assert ({"OB", "θ₄"} <= texts) == written
+
+
 def test_in_a_lesson_views_are_large_while_they_are_drawn():
     sheet = sheet_of_views()
     stage = Stage(sheet, screen((1280, 720)), 0.058)

@@ -32,7 +32,7 @@ from vad.plan.pictures.sent import sent, to_rows
 from vad.plan.reach import corners
 from vad.plan.scene_layout import SceneLayout, lay_out_scene
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Panel, Sheet
+from vad.strokes.sheet import Arc, Curve, Panel, Sheet
 from vad.strokes.travel import Travel
 
 #: The regions in which panels move: between scenes above the caption, at last on the whole page.
@@ -40,6 +40,9 @@ MOVING, LAST_MOVE = "moving", "last move"
 #: The regions that all scenes have in common.
 SHARED = (TITLE, CAPTION, FLIGHT)
 SMALL_TITLE, LEAST_SMALL_TITLE = 0.030, 0.020
+#: In a thumbnail less wide than this, views have letters alone: values of angles and names of lines
+#: would stand far off.
+FULL_VIEWS = 0.20
 SLACK = 0.012  # of a drawing: so far the pencil may reach beyond it
 
 
@@ -172,7 +175,8 @@ class Stage:
         key = panel.name, round(size[0], 9), round(size[1], 9)
         if key not in self._drawn:
             large = panel.name == layout.large
-            bare, room = panel if large else _without_notes(panel), Rect(0.0, 0.0, *size)
+            bare = panel if large else _thumbnail(panel, drawing.width)
+            room = Rect(0.0, 0.0, *size)
             self._drawn[key] = column(self.sheet, bare, room, self.form, lenses=large)
         shift = complex(drawing.left, drawing.bottom)
         return {name: each.mapped(zoom, shift) for name, each in self._drawn[key].items()}
@@ -242,10 +246,15 @@ def _shape(panel: Panel) -> complex:
     return complex(max(xs) - min(xs), max(ys) - min(ys))
 
 
-def _without_notes(panel: Panel) -> Panel:
+def _thumbnail(panel: Panel, wide: float) -> Panel:
     """Return a panel as a thumbnail has room for it."""
-    below = panel.below and replace(panel.below, notes=(), inset=None)
-    return replace(panel, notes=(), inset=None, below=below)
+    below, strokes = panel.below and replace(panel.below, notes=(), inset=None), panel.strokes
+    if panel.picture == "views" and wide < FULL_VIEWS:
+        strokes = tuple(
+            replace(each, label="") if isinstance(each.shape, Arc | Curve) else each
+            for each in strokes
+        )
+    return replace(panel, notes=(), inset=None, below=below, strokes=strokes)
 
 
 def _of(number: int, region: str) -> str:

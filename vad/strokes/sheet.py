@@ -242,10 +242,14 @@ class ImageTriangle:
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """A text near the point ``at`` that belongs to no stroke: "seen along shaft 2"."""
+    """A text near the point ``at`` that belongs to no stroke: "seen along shaft 2".
+
+    ``comes`` is the name of the stroke with which it comes; without one it is there at once.
+    """
 
     at: complex
     text: str
+    comes: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from vad.errors import InputError
 from vad.strokes.sentences import Sentence, Text, Voice
 from vad.strokes.shapes import PolarInset
-from vad.strokes.sheet import Equation, Note, Panel, Sheet, Stroke, Term
+from vad.strokes.sheet import Equation, Panel, Sheet, Stroke, Term
 from vad.words import Language
 
 #: A function that says a text or a caption in another voice.
@@ -90,7 +90,7 @@ def said_by(sheet: Sheet, say: Say, captions: Say | None = None) -> Sheet:
             old,
             title=text(old.title),
             remark=text(old.remark),
-            notes=tuple(Note(note.at, text(note.text)) for note in old.notes),
+            notes=tuple(replace(note, text=text(note.text)) for note in old.notes),
             strokes=tuple(map(stroke, old.strokes)),
             zeros=tuple(map(stroke, old.zeros)),
             equations=tuple(Equation(terms(e.left), terms(e.right)) for e in old.equations),

@@ -305,7 +305,9 @@ _DRAWN: dict[str, Form | Key] = {
     "inset": optional(INSET),
     "triangles": optional(many(TRIANGLE), ()),
     "loops": optional(many(INDEX), ()),
-    "notes": optional(many(record(Note, at=POINT, text=words("text"))), ()),
+    "notes": optional(
+        many(record(Note, at=POINT, text=words("text"), comes=optional(TEXT, ""))), ()
+    ),
     "remark": words("remark", missing=""),
     "bodies": optional(many(BODY), ()),
     "coincident": optional(many(COINCIDENCE), ()),

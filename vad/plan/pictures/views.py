@@ -335,7 +335,8 @@ def add_angles(sketch: Sketch, arcs: Sequence[tuple[int, Hung, Bow]], labels: La
     for index, arc, bow in arcs:
         if abs(bow.sweep) > 1e-6:
             sketch.hang(index, Level.CONSTRUCTION, [arc])
-        labels.angle(sketch, index, bow)
+        if sketch.setting.panel.strokes[index].label:
+            labels.angle(sketch, index, bow)
 
 
 def add_names(sketch: Sketch) -> None:
@@ -376,7 +377,8 @@ def add_notes(sketch: Sketch, before: Sequence[Aside] = ()) -> list[Aside]:
             sketch.astray = max(sketch.astray, asides[number].stray)
         rows, wide, high = _set(note, asides[number].widest)
         centre = best + asides[number].off
-        sketch.add(None, Level.LABEL, setting.during(0), on_page(_rows(rows, centre)))
+        since = setting.during(setting.panel.find(note.comes) or 0)
+        sketch.add(None, Level.LABEL, since, on_page(_rows(rows, centre)))
         box = Placed(centre, wide, high).box
         sketch.tags.append(Tag(note.text, box))
         sketch.obstacles.box(box)

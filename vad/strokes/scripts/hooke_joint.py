@@ -144,8 +144,9 @@ class Script(BodyScript):
         self.lay_over({"P": "cross", "Q": "cross"}, LAID, ARCS)
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
         right = Term(self.scene.write("hooke ratio", theta="θ₂", shafts="β"), "driving", "P.angle")
-        notes = self.note(AXIS + 1.2j, "along"), self.note(o - 1.7 + 0.5j, "plan")
-        return self.finished((left,), (right,), *notes)
+        front = self.note(AXIS + 1.2j, "along", "O.fixed")
+        plan = self.note(o - 1.7 + 0.5j, "plan", "2.shaft")
+        return self.finished((left,), (right,), front, plan)
 
     def _ratio(self) -> Sentence:
         """Say what tan θ₄ is."""

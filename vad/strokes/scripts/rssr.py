@@ -113,9 +113,10 @@ class Script(BarScript):
         along = abs(onward) * self.true.way(self.path)
         construction("C.line", through(at["C.third"], along), "rocker")
         right, length = max(at["C"].real, at["B"].real), views.share * size.value
-        third = self.note(views.place + (self.tilt + 0.3) * length, "along both", views.share)
-        front = self.note(vector(right, at["A"].imag + crank), "along D")
-        top = self.note(0.5 * (at["A.top"] + at["D.top"]), "along A")
+        aside = views.place + (self.tilt + 0.3) * length
+        third = self.note(aside, "along both", "BC.third", views.share)
+        front = self.note(vector(right, at["A"].imag + crank), "along D", "D.fixed")
+        top = self.note(0.5 * (at["A.top"] + at["D.top"]), "along A", "A.fixed")
         return self.finished(("AB.bar", "BC.front"), ("AD", "DC.front"), front, top, third)
 
 

@@ -133,8 +133,8 @@ class Script(SlidingScript):
         self.tell("H", height=Figure(self.bodies.height, unit))
         construction("I.axis", axis("H", "i"), "axis", "I")
         crossing("H.found", Dot(at["H"]), label="H", reveals=("axis",))
-        of_star = self.note(star + (NOTE - 0.8j * RAY) * reach, "star")
-        of_rose = self.note(rose - 2.2j * ROSE * reach, "rose")
+        of_star = self.note(star + (NOTE - 0.8j * RAY) * reach, "star", "star.A")
+        of_rose = self.note(rose - 2.2j * ROSE * reach, "rose", "rose.circle")
         right = "AD", "D.slide", "DC.rocker", "C.slide"
         return self.finished(("AB.crank", "B.slide", "BC.coupler"), right, of_star, of_rose)
 

@@ -82,7 +82,7 @@ class Script(BodyScript):
         construction("OI.line", Curve((minimum(0.0, sense) * at["I"], at["I"]), far=True), "B")
         self.tell("laid", b=self.angle(abs(from_b)), c=self.angle(abs(from_c)))
         self.lay_over({"B": "B", "C": "C"}, 1.0, ARCS, sense)
-        notes = (self.note(z, "along", axis="O" + x) for x, z in NOTES.items())
+        notes = (self.note(z, "along", f"{x}.rose", axis="O" + x) for x, z in NOTES.items())
         return self.finished(("AB.arc", "BC.arc"), ("AD.arc", "DC.arc"), *notes)
 
     def _rose(self, at: str, bar: str, link: str, angle: Figure, label: str = "") -> None:
