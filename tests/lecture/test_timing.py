@@ -165,6 +165,12 @@ def test_a_position_in_space_takes_few_steps_and_its_lecture_is_short(name: str,
     assert lesson.duration <= 150.0
 
 
+@pytest.mark.parametrize("name", ["spherical-four-bar", "spatial-four-bar", "rssr"])
+def test_with_a_given_acceleration_a_lecture_in_space_is_short_in_the_longest_language(name: str):
+    motion = vad.solve(vad.MECHANISMS[name](), angle=300, alpha=20)
+    assert vad.animate(vad.draw(motion, language="de")).duration <= 150.0
+
+
 def test_strokes_of_one_caption_are_drawn_while_it_is_read():
     drawn = [replace(stroke(kind), said="A short one.") for kind in ("fixed", "guide", "known")]
     panel = Panel("position", "mm", (*drawn, stroke("known")), picture="views")

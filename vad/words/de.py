@@ -364,10 +364,10 @@ PHRASES = {
     "bodies line 43 velocity": (
         "∥ *OC* durch {point}, {arc}° von *OI*, denn um *OC* dreht sie sich relativ zur Schwinge"
     ),
-    "bodies line 24 acceleration": "∥ *OI* durch {point}, die Richtung von *α₄₂ₜ*",
-    "bodies line 14 acceleration": "∥ *OD* durch {point}, die von *α₄*",
-    "bodies line 23 acceleration": "∥ *OB* durch {point}, {arc}° von *OI*, die Richtung von *α₃₂*",
-    "bodies line 43 acceleration": "∥ *OC* durch {point}, {arc}° von *OI*, die von *α₃₄*",
+    "bodies line 24 acceleration": "∥ *OI* durch {point}, für *α₄₂ₜ*",
+    "bodies line 14 acceleration": "∥ *OD* durch {point}, für *α₄*",
+    "bodies line 23 acceleration": "∥ *OB* durch {point}, {arc}° von *OI*, für *α₃₂*",
+    "bodies line 43 acceleration": "∥ *OC* durch {point}, {arc}° von *OI*, für *α₃₄*",
     "bodies fold": (
         "Die Koppelebene wird um *OI* ins Blatt umgeklappt: dort sind *OB* und *OC* unverzerrt."
     ),
@@ -541,8 +541,8 @@ PHRASES = {
         "∥ *OP* durch {point}, denn um *OP* dreht sich das Kreuz relativ zu Gabel 2"
     ),
     "hooke line 43 velocity": "∥ *OQ* durch {point}, denn um *OQ* dreht es sich relativ zu Gabel 4",
-    "hooke line 24 acceleration": "∥ *OT* durch {point}, die Richtung von *α₄₂ₜ*",
-    "hooke line 14 acceleration": "∥ Welle 4 durch {point}, die von *α₄*",
+    "hooke line 24 acceleration": "∥ *OT* durch {point}, für *α₄₂ₜ*",
+    "hooke line 14 acceleration": "∥ Welle 4 durch {point}, für *α₄*",
     "hooke fold": (
         "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt: dort sind *OP* und "
         "*OQ* unverzerrt."
@@ -734,8 +734,7 @@ PHRASES = {
         "Die Kurbel *AB* = {size} {unit} steht bei {angle}° von *AD*, längs *OA* gesehen."
     ),
     "spatial b": (
-        "Ihre Achse in *B* steht senkrecht auf *AB*, {twist}° von *a*; auf ihr dreht sich und "
-        "gleitet die Koppel."
+        "Ihre Achse in *B* ist ⟂ *AB*, {twist}° von *a*; auf ihr dreht sich und gleitet die Koppel."
     ),
     "spatial directions": (
         "Die Richtungen sind die des sphärischen Viergelenks mit diesen Winkeln als Bögen; *OI* "
@@ -805,7 +804,7 @@ PHRASES = {
     "balls along both": "*BC* und Bahn von *C* in wahrer Länge",
     # Pläne
     "balls path": "Bahn von *C*",
-    "balls remark": "gesehen wie *BC* rechts im Lageplan; die Koppel dreht sich nicht um *BC*",
+    "balls remark": "gezeichnet in der Ansicht rechts; die Koppel dreht sich nicht um *BC*",
     "balls tangential velocity": (
         "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; hier {seen} {unit}."
     ),

@@ -367,12 +367,10 @@ PHRASES = {
     "bodies line 43 velocity": (
         "∥ *OC* through {point}, {arc}° from *OI*, as it turns about *OC* relative to the rocker"
     ),
-    "bodies line 24 acceleration": "∥ *OI* through {point}, the direction of *α₄₂ₜ*",
-    "bodies line 14 acceleration": "∥ *OD* through {point}, that of *α₄*",
-    "bodies line 23 acceleration": (
-        "∥ *OB* through {point}, {arc}° from *OI*, the direction of *α₃₂*"
-    ),
-    "bodies line 43 acceleration": "∥ *OC* through {point}, {arc}° from *OI*, that of *α₃₄*",
+    "bodies line 24 acceleration": "∥ *OI* through {point}, for *α₄₂ₜ*",
+    "bodies line 14 acceleration": "∥ *OD* through {point}, for *α₄*",
+    "bodies line 23 acceleration": ("∥ *OB* through {point}, {arc}° from *OI*, for *α₃₂*"),
+    "bodies line 43 acceleration": "∥ *OC* through {point}, {arc}° from *OI*, for *α₃₄*",
     "bodies fold": (
         "The plane of the coupler is turned about *OI* into the paper: *OB* and *OC* are true "
         "there."
@@ -534,8 +532,8 @@ PHRASES = {
         "∥ *OP* through {point}, as the cross turns about *OP* relative to yoke 2"
     ),
     "hooke line 43 velocity": "∥ *OQ* through {point}, as it turns about *OQ* relative to yoke 4",
-    "hooke line 24 acceleration": "∥ *OT* through {point}, the direction of *α₄₂ₜ*",
-    "hooke line 14 acceleration": "∥ shaft 4 through {point}, that of *α₄*",
+    "hooke line 24 acceleration": "∥ *OT* through {point}, for *α₄₂ₜ*",
+    "hooke line 14 acceleration": "∥ shaft 4 through {point}, for *α₄*",
     "hooke fold": (
         "The plane of the cross is turned about *OT* into the plane of the shafts: *OP* and *OQ* "
         "are true there."
@@ -714,7 +712,7 @@ PHRASES = {
         "The crank *AB* = {size} {unit} stands at {angle}° from *AD*, as seen along *OA*."
     ),
     "spatial b": (
-        "Its axis at *B* is square to *AB*, {twist}° from *a*; on it the coupler turns and slides."
+        "Its axis at *B* is ⟂ *AB*, {twist}° from *a*; on it the coupler turns and slides."
     ),
     "spatial directions": (
         "The directions are those of the spherical four-bar that has the twists as arcs; *OI* is "
@@ -780,7 +778,7 @@ PHRASES = {
     "balls along both": "*BC* and path of *C* in true length",
     # polygons
     "balls path": "path of *C*",
-    "balls remark": "seen as *BC* to the right of the views; the coupler does not spin about *BC*",
+    "balls remark": "drawn in the view on the right; the coupler does not spin about *BC*",
     "balls tangential velocity": (
         "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; here {seen} {unit}."
     ),

@@ -367,10 +367,10 @@ PHRASES = {
         "∥ *OC* par {point}, à {arc}° de *OI*, car elle tourne autour de *OC* par rapport au "
         "balancier"
     ),
-    "bodies line 24 acceleration": "∥ *OI* par {point}, la direction de *α₄₂ₜ*",
-    "bodies line 14 acceleration": "∥ *OD* par {point}, celle de *α₄*",
-    "bodies line 23 acceleration": "∥ *OB* par {point}, à {arc}° de *OI*, la direction de *α₃₂*",
-    "bodies line 43 acceleration": "∥ *OC* par {point}, à {arc}° de *OI*, celle de *α₃₄*",
+    "bodies line 24 acceleration": "∥ *OI* par {point}, pour *α₄₂ₜ*",
+    "bodies line 14 acceleration": "∥ *OD* par {point}, pour *α₄*",
+    "bodies line 23 acceleration": "∥ *OB* par {point}, à {arc}° de *OI*, pour *α₃₂*",
+    "bodies line 43 acceleration": "∥ *OC* par {point}, à {arc}° de *OI*, pour *α₃₄*",
     "bodies fold": (
         "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y sont "
         "vrais."
@@ -540,8 +540,8 @@ PHRASES = {
     "hooke line 43 velocity": (
         "∥ *OQ* par {point}, car il tourne autour de *OQ* par rapport à la fourche 4"
     ),
-    "hooke line 24 acceleration": "∥ *OT* par {point}, la direction de *α₄₂ₜ*",
-    "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, celle de *α₄*",
+    "hooke line 24 acceleration": "∥ *OT* par {point}, pour *α₄₂ₜ*",
+    "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, pour *α₄*",
     "hooke fold": (
         "Le plan du croisillon est rabattu autour de *OT* sur celui des arbres : *OP* et *OQ* y "
         "sont vrais."
@@ -731,10 +731,7 @@ PHRASES = {
         "balancier glisse aussi sur *d*."
     ),
     "spatial crank": "La manivelle *AB* = {size} {unit} est à {angle}° de *AD*, vue suivant *OA*.",
-    "spatial b": (
-        "Son axe en *B* est perpendiculaire à *AB*, à {twist}° de *a* ; la bielle y tourne et y "
-        "glisse."
-    ),
+    "spatial b": ("Son axe en *B* est ⟂ *AB*, à {twist}° de *a* ; la bielle y tourne et y glisse."),
     "spatial directions": (
         "Les directions sont celles du quadrilatère sphérique ayant ces angles pour arcs ; *OI* "
         "est à *τ* = {tau}° de *OA*."
@@ -803,7 +800,7 @@ PHRASES = {
     "balls along both": "*BC* et trajectoire de *C* en vraie grandeur",
     # polygones
     "balls path": "trajectoire de *C*",
-    "balls remark": "vu comme *BC* à droite des vues ; la bielle ne tourne pas autour de *BC*",
+    "balls remark": "tracé dans la vue de droite ; la bielle ne tourne pas autour de *BC*",
     "balls tangential velocity": (
         "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; ici {seen} "
         "{unit}."
