@@ -50,9 +50,9 @@ def test_labels_lie_on_no_stroke_and_glide(case: str):
         for name, panel in here.panels.items():
             pose = sheet.panel(name)
             strokes = panel.picture.pose(pose).obstacles
-            found = panel.labels(pose, phases[0])
+            found = panel.labels.at(pose, phases[0])
             frames += 1
-            labels += len(panel.names)
+            labels += len(panel.labels.names)
             inked += len(found)
             boxes = [placed for _, placed in found]
             on_stroke = any(
@@ -62,7 +62,7 @@ def test_labels_lie_on_no_stroke_and_glide(case: str):
             )
             upon = any(_meet(b, other) for n, b in enumerate(boxes) for other in boxes[:n])
             met += on_stroke or upon
-            for label in panel.names:
+            for label in panel.labels.names:
                 before, after = (label.spring.at(phase) for phase in phases)
                 if before is not None and after is not None:
                     assert abs(after - before) <= MOST, (label.text, frame)
@@ -84,7 +84,7 @@ def test_no_number_meets_a_stroke_a_letter_or_another_number(name: str):
             assert isinstance(way, Polyline)
             for piece in way.pieces:
                 strokes.line(piece, 0.0)
-        taken = [placed for panel, half in halves for _, placed in panel.labels(half, 0.0)]
+        taken = [placed for panel, half in halves for _, placed in panel.labels.at(half, 0.0)]
         for numeral in (_ink_box(mark) for mark in marks if mark.role == "numeral"):
             assert strokes.free([numeral.centre], numeral.wide, numeral.high, 0.0)[0]
             assert not any(_meet(numeral, other) for other in taken)
@@ -107,7 +107,7 @@ def test_a_label_belongs_to_the_dot_of_its_letters():
     here = board("whitworth")
     panel, phase = here.panels["velocity"], 0.3
     pose = here.turn.at(phase).panels[1]
-    for label in panel.names:
+    for label in panel.labels.names:
         ends = [
             spot
             for stroke in pose.strokes
@@ -118,7 +118,7 @@ def test_a_label_belongs_to_the_dot_of_its_letters():
             )
             if letter == label.letters[-1].letter
         ]
-        dot = panel.dot(label, pose, phase)
+        dot = panel.labels.dot(label, pose, phase)
         assert ends
         assert all(abs(panel.scale(spot) - dot) < 1e-4 for spot in ends)
-    assert {label.text for label in panel.names} == {"a, d", "b", "q", "c", "e"}
+    assert {label.text for label in panel.labels.names} == {"a, d", "b", "q", "c", "e"}

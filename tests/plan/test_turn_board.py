@@ -125,7 +125,7 @@ def test_units_are_the_same_in_all_poses_of_a_turn():
 
 
 def test_a_polygon_shows_whole_vectors_and_few_letters(board: TurnBoard):
-    names = {name: {label.text for label in p.names} for name, p in board.panels.items()}
+    names = {name: {label.text for label in p.labels.names} for name, p in board.panels.items()}
     assert names == {
         "position": {"A", "B", "C", "D", "E"},
         "velocity": {"a, d", "b", "q", "c", "e"},

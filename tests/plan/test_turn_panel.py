@@ -13,7 +13,7 @@ from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Polyline
 from vad.plan.reach import corners
 from vad.plan.turn_board import TurnBoard
-from vad.plan.turn_panel import FAR
+from vad.plan.turn_labels import FAR
 
 pytestmark = pytest.mark.exhaustive
 
@@ -50,14 +50,14 @@ def test_a_letter_that_is_far_from_its_dot_is_led_to_it_and_none_is_pale(name: s
             shown = [m for item in panel.pose(pose, phase).items for m in item.marks]
             assert all(mark.alpha == 1.0 for mark in shown if mark.role in ("letter", "tag"))
             ends = [m.shape.pieces[0] for m in shown if m.role == "leader" and m.alpha == 1.0]
-            for label, placed in panel.labels(pose, phase):
-                away = panel.dot(label, pose, phase) - placed.centre
+            for label, placed in panel.labels.at(pose, phase):
+                away = panel.labels.dot(label, pose, phase) - placed.centre
                 aside = max(abs(away.real) - placed.wide / 2, 0.0)
                 above = max(abs(away.imag) - placed.high / 2, 0.0)
                 gap = math.hypot(aside, above) - panel.picture.radius
                 if label.vector or gap < FAR:
                     continue
-                dot = panel.dot(label, pose, phase)
+                dot = panel.labels.dot(label, pose, phase)
                 assert any(abs(end - dot) < panel.picture.radius + 5 * PIXEL for _, end in ends)
 
 

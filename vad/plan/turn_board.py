@@ -31,6 +31,7 @@ from vad.plan.marks import Lettering, Mark, disc, lines
 from vad.plan.page.heads import TITLE as TITLE_SIZE
 from vad.plan.page.heads import head, title_marks
 from vad.plan.sketch import Setting, Sketch
+from vad.plan.turn_lens import FADE
 from vad.plan.turn_panel import TurnPanel
 from vad.strokes.diagram import Spot
 from vad.strokes.notation import Notation
@@ -55,6 +56,8 @@ class TurnBoard:
 
     #: Rows of words below each curve.
     tick_rows = 1
+    #: Whether lenses show small vectors while they are small.
+    lenses = True
 
     def __init__(self, turn: Turn, form: Format | None = None) -> None:
         self.turn = turn
@@ -85,8 +88,10 @@ class TurnBoard:
             for half, room in rooms(panel, drawing):
                 aside = beside_mechanism(panel, drawing)
                 setting = Setting(sheet, half, room, rows, (), self.form.centimetre, beside=aside)
+                setting = replace(setting, lenses=self.lenses)
                 same = [pose.panel(half.name) for pose in poses]
-                self.panels[half.name] = TurnPanel(setting, same, self.cycle, turn.opening)
+                motion = self.cycle, turn.opening, FADE / turn.duration
+                self.panels[half.name] = TurnPanel(setting, same, *motion)
         self.charts = self._charts(sheet, layout.charts)
         self.ticks = ticks_of(turn.course, self.cycle, notation)
         marks = self._still(sheet)
@@ -164,6 +169,7 @@ class NumberedTurn(TurnBoard):
     """A turn that stands still; position 1 is where the driver passes 0°."""
 
     tick_rows = 2
+    lenses = False
 
     def __init__(self, turn: Turn, form: Format | None = None) -> None:
         super().__init__(turn, form)

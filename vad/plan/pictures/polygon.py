@@ -72,6 +72,11 @@ class Polygon:
         self.still = Sketch(setting, scale, setting.clear(), finished=True)
         add_lower_bar(self.still)
 
+    def moved(self, shift: complex) -> Polygon:
+        """Return it elsewhere in its room."""
+        scale = replace(self.scale, origin=self.scale.origin + shift)
+        return Polygon(self._setting, scale, self._inset)
+
     def draw(self, labels: LabelChoice = PLACED) -> Sketch:
         """Return what a lesson draws of one pose, without what is visible only for a time."""
         setting = self._setting

@@ -1,0 +1,148 @@
+"""The lens of a turn: when it is there, where it stands, what it shows, and its letters."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vad
+from vad.files.examples import example_path
+from vad.plan.items import Item, Level
+from vad.plan.labels.obstacles import PIXEL
+from vad.plan.lens import BAND
+from vad.plan.marks import Disc
+from vad.plan.turn_board import NumberedTurn, TurnBoard
+from vad.plan.turn_lens import FADE, HYSTERESIS, INSIDE, SMALL, TurnLens
+from vad.plan.turn_panel import TurnPanel
+
+CASES = {
+    "lever": lambda: vad.CrankSlottedLever(rod=100, ram_height=180),
+    "leg": vad.load(example_path("jansen-leg")),
+}
+PHASES = [number / 60 for number in range(60)]
+
+
+@cache
+def board(name: str) -> TurnBoard:
+    return TurnBoard(vad.turn(CASES[name]()))
+
+
+def lensed(name: str) -> tuple[TurnPanel, TurnLens]:
+    panel = board(name).panels["acceleration"]
+    assert panel.lens is not None
+    return panel, panel.lens
+
+
+def seen(items: list[Item]) -> list[Any]:
+    return [mark for item in items if item.level == Level.LENS for mark in item.marks]
+
+
+def reaches(panel: TurnPanel, lens: TurnLens) -> Any:
+    """Return how far the farthest point is from the middle of what the lens shows."""
+    ways = [way for spot, way in panel.hodographs.tracks.items() if spot.lettered]
+    return np.abs(np.array(ways) - lens.lens.place).max(axis=0)
+
+
+def at(panel: TurnPanel, name: str, phase: float) -> float:
+    far = reaches(panel, lensed(name)[1])
+    share = (phase - board(name).turn.opening) % 1.0
+    return float(np.interp(share, np.linspace(0.0, 1.0, len(far)), far))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_lens_is_there_while_all_points_have_room_in_it(name: str):
+    panel, lens = lensed(name)
+    fade = FADE / board(name).turn.duration
+    limit = (lens.lens.radius - INSIDE) / lens.lens.factor
+    for phase in PHASES:
+        ink = lens.spans.ink(phase)
+        far = [at(panel, name, phase + shift) for shift in np.linspace(-fade, 0.0, 9)]
+        if ink == 1.0:
+            assert min(far) <= HYSTERESIS * limit + PIXEL
+        if max(far) <= limit - PIXEL:
+            assert ink >= 0.9
+        if min(far) > HYSTERESIS * limit + PIXEL:
+            assert ink == 0.0
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_it_comes_within_its_time_and_stands_still(name: str):
+    panel, lens = lensed(name)
+    turn = board(name).turn
+    places = set()
+    for phase in np.linspace(0.0, 1.0, 40, endpoint=False).tolist():
+        shown = seen(panel.items(turn.at(phase).panel("acceleration"), phase))
+        rims = [mark.shape for mark in shown if mark.role == "lens rim"]
+        assert bool(rims) == bool(lens.spans.ink(phase))
+        places.update((shape.centre, shape.radius) for shape in rims)
+        letters = [mark for mark in shown if mark.role in ("letter", "tag")]
+        assert bool(letters) <= lens.spans.shows(phase)
+        assert all(mark.alpha == 1.0 for mark in letters)
+    assert places == {(lens.lens.at, lens.lens.radius)}
+    first = lens.spans.ends[0][0]
+    assert lens.spans.ink(first) == 0.0
+    assert lens.spans.ink(first + FADE / turn.duration) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_each_point_has_its_letter_in_the_lens_or_beside_the_polygon(name: str):
+    panel, lens = lensed(name)
+    turn = board(name).turn
+    inside = 0
+    for phase in PHASES:
+        pose = turn.at(phase).panel("acceleration")
+        within = {label.text for label, _ in lens.labels.at(pose, phase)}
+        beside = {label.text for label, _ in panel.labels.at(pose, phase)}
+        assert not within & beside
+        inside += len(within)
+        for label, placed in lens.labels.at(pose, phase):
+            corners = placed.wide + 1j * placed.high, placed.wide - 1j * placed.high
+            for corner in (*corners, *(-z for z in corners)):
+                assert abs(placed.centre + corner / 2 - lens.lens.at) < lens.lens.radius, label.text
+    assert inside > 40
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_it_covers_nothing_that_moves_while_it_is_there(name: str):
+    panel, lens = lensed(name)
+    circle = lens.lens
+    assert abs(circle.at - circle.place) > circle.radius + circle.ring + BAND
+    assert panel.room.holds(circle.at + circle.radius, 0.02)
+    assert panel.room.holds(circle.at - 1j * circle.radius)
+    assert not lens.spot.words.box(lens.spot.middle).clipped(*circle.leader)
+    for phase in PHASES:
+        if lens.spans.ink(phase) == 1.0:
+            for way in panel.hodographs.tracks:
+                spot = panel.hodographs.at(way, phase - board(name).turn.opening)
+                assert abs(spot - circle.at) > circle.radius + BAND
+
+
+def test_what_it_shows_is_the_polygon_enlarged():
+    panel, lens = lensed("lever")
+    phase = next(phase for phase in PHASES if lens.spans.ink(phase) == 1.0)
+    shown = seen(panel.items(board("lever").turn.at(phase).panel("acceleration"), phase))
+    dots = [m.shape.centre for m in shown if m.role == "dot" and isinstance(m.shape, Disc)]
+    for spot in panel.hodographs.tracks:
+        at = lens.lens(panel.hodographs.at(spot, phase - board("lever").turn.opening))
+        assert min(abs(at - dot) for dot in dots) < PIXEL, spot
+
+
+def test_a_polygon_that_is_large_most_of_the_time_has_none():
+    shown = TurnBoard(vad.turn(vad.SliderCrank()))
+    assert {panel.lens for panel in shown.panels.values()} == {None}
+
+
+def test_a_still_with_numbers_has_none():
+    still = NumberedTurn(vad.turn(CASES["lever"]()))
+    assert still.panels["acceleration"].lens is None
+
+
+def test_small_is_what_it_is_called():
+    panel, _ = lensed("lever")
+    ways = [way for spot, way in panel.hodographs.tracks.items() if spot.lettered]
+    pole = next(way[0] for way in ways if not np.ptp(way))
+    lengths = np.abs(np.array(ways) - pole).max(axis=0)
+    assert (lengths < SMALL).mean() > 0.25
