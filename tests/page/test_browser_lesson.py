@@ -23,7 +23,8 @@ from tests.page.lessons import (
 
 #: How many groups of strokes are seen in each panel.
 _SEEN = """() => [...document.querySelectorAll(".drawing svg")].map((svg) =>
-  [...svg.children].filter((each) => getComputedStyle(each).display !== "none").length)"""
+  [...(svg.closest(".grand") ? svg.querySelector(".scene") : svg).children]
+    .filter((each) => getComputedStyle(each).display !== "none").length)"""
 
 
 def test_it_opens_with_the_mechanism_and_in_its_own_type(lesson: Page) -> None:

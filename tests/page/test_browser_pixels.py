@@ -40,7 +40,9 @@ LESSONS = (
 #: Puts the drawings where the painter has them, and all else away; letters are darker on a page.
 #: None is larger than on the sheet, or moves, and nothing flies.
 BARE = """() => {
-  const home = document.querySelector('.vad');
+  const home = document.querySelector('.vad'), scrub = document.querySelector('.scrub');
+  home.classList.add('large');
+  scrub.dispatchEvent(new Event('input'));
   for (const svg of document.querySelectorAll('.drawing svg')) {
     svg.setAttribute('viewBox', '0 0 1280 720');
     svg.style = 'position:fixed;left:0;top:0;width:1280px;height:720px';
@@ -49,7 +51,6 @@ BARE = """() => {
     home.append(frame);
     frame.append(svg);
   }
-  home.classList.add('large');
   Element.prototype.animate = () => {};
   document.querySelector('.travels').checked = false;
   const others = document.querySelectorAll('.board > *, .steps, .grip');

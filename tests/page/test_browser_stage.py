@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Any
 
@@ -9,7 +10,8 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 from tests.browser import opened
-from tests.page.lessons import FIRST, STROKES, page_of, press, scrub, show
+from tests.page.lessons import FIRST, LESSON, STROKES, page_of, press, scrub, show
+from vad.page.parts import parts
 
 #: Where the drawings are, the panels and the table, when all have come to rest.
 _PLACES = """() => {
@@ -29,10 +31,14 @@ _HALFWAY = """() => {
   moves.forEach((each, i) => { each.pause(); each.currentTime = lasts[i] / 2; });
   return lasts;
 }"""
-_DRAWINGS = """() => [...document.querySelectorAll(".drawing svg")].map((each) => {
-  const { left, top, right, bottom } = each.getBoundingClientRect();
-  return [left, top, right, bottom];
+#: Where two places of each panel on the sheet are seen, as it may be drawn anew for a large room.
+_SEEN = """(large) => [...document.querySelectorAll(".drawing svg")].flatMap((svg, i) => {
+  const [, factor, x, y] = svg.closest(".grand") ? large[i] : [0, 1, 0, 0];
+  const matrix = svg.getScreenCTM();
+  return [[600, 300], [700, 200]].map(([u, v]) =>
+    new DOMPoint(factor * u + x, factor * v + y).matrixTransform(matrix)).map(({ x, y }) => [x, y]);
 })"""
+LARGE = parts(LESSON).data["large"]
 
 
 def places(page: Page, x: float) -> dict[str, Any]:
@@ -64,9 +70,8 @@ def test_the_panel_in_work_is_large_and_at_the_end_the_sheet_stands_there(lesson
         panel = found["panels"].pop(number)
         room = found["board"]
         assert 0.55 < wide(panel) / (wide(room) - 55) < 0.65
-        area = found["table"][3] - panel[1]
-        assert high(large) > 0.55 * area
-        assert wide(large) > 1.25 * wide(sheet["drawings"][number])
+        assert high(large) > 0.55 * 720
+        assert wide(large) > 1.9 * wide(sheet["drawings"][number])
         for small in found["drawings"]:
             assert 0.4 < wide(small) / wide(sheet["drawings"][number]) < 1.0
         others = [*found["panels"], found["table"]]
@@ -86,17 +91,21 @@ def test_the_panel_in_work_is_large_and_at_the_end_the_sheet_stands_there(lesson
 
 
 def test_a_change_of_panel_is_a_move_of_a_second(lesson: Page) -> None:
-    before = places(lesson, FIRST[1])["drawings"]
+    """All that is drawn moves straight, though it is another picture when it is large."""
+    places(lesson, FIRST[1])
+    before = lesson.evaluate(_SEEN, LARGE)
     press(lesson, "Shift+ArrowRight")
     lasts = lesson.evaluate(_HALFWAY)
-    half = lesson.evaluate(_DRAWINGS)
-    after = lesson.evaluate(_PLACES)["drawings"]
+    half = lesson.evaluate(_SEEN, LARGE)
+    lesson.evaluate(_PLACES)
+    after = lesson.evaluate(_SEEN, LARGE)
     assert lasts == [1000] * 3
     for one, middle, other in zip(before, half, after, strict=True):
         assert middle == pytest.approx(
             [(a + b) / 2 for a, b in zip(one, other, strict=True)], abs=1
         )
-    assert wide(after[1]) > 1.5 * wide(before[1])
+    sizes = [math.dist(*seen[2:4]) for seen in (before, after)]
+    assert sizes[1] > 2.0 * sizes[0]
 
 
 def test_the_hand_keeps_the_arrangement_of_the_moment(lesson: Page) -> None:

@@ -370,6 +370,13 @@ function docked(root, body, player) {
   box.name = data.inputs[0];
   one(".place span:last-child").textContent = turns ? "°" : `\u00a0${unit}`;
   for (const drawing of root.querySelectorAll(".panel:not(:first-child) .drawing")) drawing.dataset.none = words["no-polygon"];
+  // Where a panel is drawn large or small again, its scales are others in all states, too.
+  function arranged() {
+    body.arrange(...player.large);
+    for (const each of [...past, ...future, before ?? []]) for (const { input } of data.polygons) each.splice(input, 3, ...state.slice(input, input + 3));
+  }
+  player.on(root, "vad:stage", arranged);
+  if (player.large[0] >= 0) arranged();
   body.on(shown);
   dragged(root, body, begin, commit);
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;

@@ -22,7 +22,10 @@ function flights(root) {
   function flight([, kind, phases, from, turn, tilt, oblique, ...places], marks, svgs, beat) {
     const to = marks[0]?.ownerSVGElement, source = svgs[from];
     if (!to || !source.getBoundingClientRect().width || !to.getBoundingClientRect().width) return null;
-    const at = (svg, n) => new DOMPoint(places[n], places[n + 1]).matrixTransform(svg.getScreenCTM());
+    const at = (svg, n) => {
+      const k = svg.closest(".grand") ? n + 8 : n;
+      return new DOMPoint(places[k], places[k + 1]).matrixTransform(svg.getScreenCTM());
+    };
     const tail = at(source, 0), head = at(source, 2), start = at(to, 4), end = at(to, 6);
     const unit = to.getScreenCTM().a, way = [end.x - start.x, end.y - start.y], whole = Math.hypot(...way);
     const [x, y] = [head.x - tail.x, head.y - tail.y], length = Math.hypot(x, y);
@@ -39,7 +42,7 @@ function flights(root) {
     if (lifts[kind] !== lifts.normal) legs.push([...place, seen, tilt]);
     legs.push([...place, oblique, tilt], [start.x, start.y, 1, 0]);
     // An area shows when its stroke is done, an arrow grows.
-    const all = kind === "area" ? [...to.querySelectorAll(`[data-s="${beat + 1}"] > path`)] : marks;
+    const all = kind === "area" ? [...to.querySelectorAll(`[data-s="${beat + 1}"] > path`)].filter((each) => each.closest(".scene") === marks[0].closest(".scene")) : marks;
     const tip = all.find((each) => each.localName === "path" && filled(each)), shaft = kind !== "area" && tip?.previousElementSibling;
     return tip ? { to, start, way, unit, legs, phases, marks, tip, shaft } : null;
   }

@@ -89,9 +89,20 @@ function driven(root, solve, data) {
   // Paints the state. At a limit rates have no value: they grow without end towards it.
   function show() {
     root.classList.toggle("resized", key(state) !== key(data.start));
+    drawn();
+    for (const listener of listeners) listener();
+  }
+
+  function drawn() {
     view.paint(atEnd() ? [state[0], NaN, NaN, ...state.slice(3)] : state);
     held();
-    for (const listener of listeners) listener();
+  }
+
+  // Another panel is drawn large, or none: see picture.js. The pose stays.
+  function arrange(...large) {
+    view.arrange(...large);
+    if (root.classList.contains("turned")) drawn();
+    else held();
   }
 
   // The ring stands where it is to be taken.
@@ -137,7 +148,7 @@ function driven(root, solve, data) {
   const within = (degrees) => (degrees % 360 + (degrees % 360 < 0 ? 360 : 0));
 
   return {
-    data, turns, ends, state, out, view, solve, closes, holds, refused, set, move, show, key, among, assembly, assembled, beyond, parting,
+    data, turns, ends, state, out, view, solve, closes, holds, refused, set, move, show, arrange, key, among, assembly, assembled, beyond, parting,
     on: (listener) => listeners.push(listener),
     rest: () => { wanted = state[0]; },
     get ranges() { return ranges; },
@@ -159,7 +170,7 @@ function dragged(root, body, take, gone) {
   // Where the picture is in the window is asked once, until it may have moved.
   for (const name of ["scroll", "resize"]) addEventListener(name, () => { within = null; }, { capture: true, passive: true });
   const at = (event) => {
-    within ??= svg.getScreenCTM().inverse();
+    within ??= ring.getScreenCTM().inverse();
     const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(within);
     const du = point.x - view.x(about[0]), dv = point.y - view.y(about[1]);
     if (kind === "angle") return Math.atan2(-dv, du) * 180 / Math.PI;

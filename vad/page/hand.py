@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from itertools import groupby
+from types import MappingProxyType
 from typing import Any
 
 from vad.kinematics.numbers import vector
@@ -21,6 +22,9 @@ from vad.lecture.moment import drawing
 from vad.page.curves import curves
 from vad.page.dimensions import dimensions, readable
 from vad.page.ink import Inker, when
+from vad.page.large import Large
+from vad.page.outputs import Outputs
+from vad.page.scaled import Scaled, edges
 from vad.page.solved import given, proofs, template
 from vad.page.solver import solver_data
 from vad.page.spoken import spelled
@@ -33,12 +37,9 @@ from vad.plan.items import FOREVER, Item, in_painting_order
 from vad.plan.labels.named import Label
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import width
-from vad.plan.lettering.runs import Runs, bold, roman, symbols
+from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline, line
-from vad.plan.page.heads import APART, TITLE
-from vad.plan.pictures.polygon import BAR_OFF, WIDEST_BAR
 from vad.plan.pictures.skeleton import GRIP
-from vad.plan.reach import corners
 from vad.plan.scale import (
     LEAST_POLYGON,
     LONGEST_BAR,
@@ -48,13 +49,8 @@ from vad.plan.scale import (
     SCALE_TICK,
     SHORTEST_BAR,
     SPARE,
-    VIEWS_SLACK,
-    Scale,
-    bar_box,
-    bar_marks,
-    padded,
 )
-from vad.strokes.sheet import Panel, Sheet
+from vad.strokes.sheet import Sheet
 from vad.words import Language
 from vad.written import THIN_SPACE
 
@@ -96,31 +92,13 @@ class Hand:
     data: Mapping[str, Any]
 
 
-class Outputs:
-    """The outputs of a program, each once, in the order in which they were first asked for."""
-
-    def __init__(self) -> None:
-        self.numbers: list[float] = []
-        self._places: dict[str, int] = {}
-
-    def of(self, value: float) -> int:
-        """Return the number of an output."""
-        key = value.made.name if isinstance(value, Traced) else repr(float(value))
-        if key not in self._places:
-            self._places[key] = len(self.numbers)
-            self.numbers.append(value)
-        return self._places[key]
-
-    def place(self, z: complex) -> list[int]:
-        """Return the numbers of x and y."""
-        return [self.of(z.real), self.of(z.imag)]
-
-    def listed(self, places: Iterable[complex]) -> list[int]:
-        """Return the numbers of x and y of several places."""
-        return [each for z in places for each in self.place(z)]
-
-
-def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str]) -> Hand:
+def hand(
+    board: HandBoard,
+    plan: Plan,
+    inker: Inker,
+    write: Callable[[Runs], str],
+    large: Mapping[str, Large] = MappingProxyType({}),
+) -> Hand:
     """Return a mechanism that is turned on a page.
 
     Parameters
@@ -133,6 +111,8 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
         The inker of the page.
     write
         The function that writes runs as HTML.
+    large
+        The panels as they are drawn while they are in work.
     """
     sheet, outputs, traced = plan.sheet, Outputs(), board.traced
     begun = Begun(sheet)
@@ -152,8 +132,10 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
     polygons, boxes = [], list[list[float]]()
     for half in traced.sheet.halves:
         if f"{half.name} scale" in traced.inputs:
-            polygon = _Scaled(board, plan, half)
+            polygon = Scaled(board, plan, half)
             polygons.append({"half": halves.index(half.name), **polygon.data(outputs)})
+            if large:
+                polygons[-1]["large"] = polygon.placed(large[half.column].sketches[half.name])
             if half.name != half.column:
                 layers[half.column] += polygon.lower_bar(halves.index(half.name), inker)
                 boxes.append([halves.index(half.name), *_box(polygon.bar_box, outputs)])
@@ -205,9 +187,13 @@ def hand(board: HandBoard, plan: Plan, inker: Inker, write: Callable[[Runs], str
         "leader": leader.partition('class="')[2].partition('"')[0],
         "blocks": blocks,
         "boxes": boxes,
-        "rooms": [_edges(board.live.page.panels[panel].drawing) for panel in regions],
+        "rooms": [edges(board.live.page.panels[panel].drawing) for panel in regions],
         "halves": [
-            [regions.index(half.column), *_edges(board.live.room(half, sheet))]
+            [
+                regions.index(half.column),
+                *edges(board.live.room(half, sheet)),
+                *(edges(large[half.column].sketches[half.name].setting.room) if large else []),
+            ]
             for half in traced.sheet.halves
         ],
         "polygons": polygons,
@@ -390,72 +376,6 @@ def _start(board: HandBoard, plan: Plan) -> list[float]:
         if not sketch.scale.bare:
             given |= scale_inputs(name, sketch.scale)
     return [float(given.get(name, value)) for name, value in board.traced.inputs.items()]
-
-
-def _edges(room: Rect) -> list[float]:
-    return [round(each, 5) for each in (room.left, room.bottom, room.right, room.top)]
-
-
-def bar_room(plan: Plan, panel: Panel) -> float:
-    """Return the room for a scale bar with its value beside the heading of a panel."""
-    place = plan.page.panels[panel.name]
-    return place.drawing.width - width(bold(roman(panel.title)), TITLE) - APART
-
-
-@dataclass(frozen=True)
-class _Scaled:
-    """A polygon, or a mechanism with other dimensions, whose scale follows its size."""
-
-    board: HandBoard
-    plan: Plan
-    half: Panel
-
-    def data(self, outputs: Outputs) -> dict[str, Any]:
-        """Return it as ``scales.js`` reads it: its inputs, corners and room, and its bar."""
-        board, half, notation = self.board, self.half, self.plan.sheet.notation
-        first = next(iter(scale_inputs(half.name, Scale(0j, 1.0))))
-        scale, unit = board.scales[half.name], notation.unit(half.unit)
-        corner = {z: None for z in corners(half)}
-        views = half.picture == "views"
-        room = self._room.inside(-VIEWS_SLACK) if views else self._room
-        return {
-            "input": list(board.traced.inputs).index(first),
-            "corners": outputs.listed(map(scale, corner)),
-            "mechanism": half.picture != "vectors",
-            "inner": _edges(padded(room, half.picture == "skeleton")),
-            "bar": not scale.bare
-            and {
-                "room": round(self._bar_room, 5),
-                "unit": unit,
-                "unitWide": round(width(roman(f"\u00a0{unit}"), SCALE_SIZE), 5),
-                "factor": notation.scaled(1.0, half.unit),
-                "at": [round(self._start.real, 5), round(self._start.imag, 5)],
-            },
-        }
-
-    def lower_bar(self, number: int, inker: Inker) -> str:
-        """Return the elements of the bar of a polygon below another."""
-        text, bar, _ = bar_marks(0.1, roman("0"), self._start)
-        return f'<g data-bar="{number}">{inker.mark(text)}{inker.mark(bar)}</g>'
-
-    @property
-    def bar_box(self) -> Rect:
-        """What the bar of a polygon below another takes at most, with its value."""
-        return bar_box(LONGEST_BAR, roman(f"500 {self.half.unit}"), self._start)
-
-    @property
-    def _room(self) -> Rect:
-        return self.board.live.room(self.half, self.plan.sheet)
-
-    @property
-    def _start(self) -> complex:
-        return complex(self._room.left, self._room.bottom + BAR_OFF)
-
-    @property
-    def _bar_room(self) -> float:
-        if self.half.name != self.half.column:
-            return WIDEST_BAR * self._room.width
-        return bar_room(self.plan, self.half)
 
 
 def _cells(board: HandBoard, sheet: Sheet, outputs: Outputs) -> list[list[Any]]:

@@ -27,10 +27,9 @@ from typing import Any
 from vad.page.themed import Inks
 from vad.painting.svg_elements import Classes, Elements, Grid, number
 from vad.painting.svg_text import Faces, SetText
-from vad.plan.board import Plan
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.items import FOREVER, Level, Span
+from vad.plan.items import FOREVER, Item, Level, Span
 from vad.plan.marks import Bending, Bow, Fading, Flying, Mark, Scaling, Sliding, Trimming, Turning
 
 
@@ -47,21 +46,20 @@ class Inker:
         The growth of each mark that grows: see `grown`.
     """
 
-    def __init__(self, form: Format, inks: Inks, faces: Faces) -> None:
-        self.classes = Classes()
+    def __init__(self, form: Format, inks: Inks, faces: Faces, *, alone: bool = False) -> None:
+        self.classes = Classes(alone=alone)
         self.inks = inks
         self.growths: list[list[Any]] = []
         self._grid = Grid(form)
         self._elements = Elements(self._grid, self.classes, SetText(self.classes, faces, ""))
 
-    def drawing(self, plan: Plan, panel: str) -> str:
-        """Return the groups of a panel, in painting order."""
+    def groups(self, items: Iterable[Item]) -> str:
+        """Return the groups of a panel's items, which are in painting order."""
         groups: dict[tuple[Level, str], dict[Span, None]] = {}
-        for item in plan.items:
-            if item.region == panel:
-                # A group that is visible several times, as a highlighted link is, is written once.
-                key = item.level, "".join(map(self._mark, item.marks))
-                groups.setdefault(key, {})[item.since, item.until] = None
+        for item in items:
+            # A group that is visible several times, as a highlighted link is, is written once.
+            key = item.level, "".join(map(self._mark, item.marks))
+            groups.setdefault(key, {})[item.since, item.until] = None
         beats = groupby(groups.items(), key=lambda group: when(group[1]))
         return "".join(
             f"<g{span}>{''.join(marks for (_, marks), _ in run)}</g>" for span, run in beats
@@ -75,6 +73,11 @@ class Inker:
     def frame(self) -> list[float]:
         """What makes pixels of page units: pixels to the unit, and the left and the upper edge."""
         return self._grid.frame
+
+    def pixels(self, z: complex) -> tuple[float, float]:
+        """Return how far a place is to the right and down in the views, in pixels."""
+        unit, left, top = self._grid.frame
+        return (z.real - left) * unit, (top - z.imag) * unit
 
     def view(self, area: Rect) -> str:
         """Return the view of an area of the page."""

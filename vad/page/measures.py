@@ -35,8 +35,8 @@ class Measures:
         How high it is, without what is as high in every window.
     room
         How high panels and table are.
-    rows
-        How high the rows of the table are beside a large panel.
+    rows, foot
+        How high the rows of the table are beside a large panel, and the equations above them.
     large
         How many times as large as on the sheet each panel is while it is in work.
     small
@@ -48,6 +48,7 @@ class Measures:
     height: int
     room: float
     rows: float
+    foot: float
     large: Mapping[str, float]
     small: float
     across: int
@@ -55,7 +56,13 @@ class Measures:
     @property
     def variables(self) -> str:
         """The variables of the style sheet for the board."""
-        found = {"h": self.height, "p": self.room, "r": self.rows, "k": self.small}
+        found = {
+            "h": self.height,
+            "p": self.room,
+            "r": self.rows,
+            "f": self.foot,
+            "k": self.small,
+        }
         return ";".join(
             f"--{name}:{number(value, 3)}" for name, value in [*found.items(), ("c", self.across)]
         )
@@ -81,12 +88,13 @@ def measures(board: Plan) -> Measures:
     room = max(HEAD + high + foot for _, high, foot in places.values()) + TABLE + ROW * rows
     caption = 12.0 + 33.0 * max(2, len(board.page.captions))
     low = TABLE + SMALL_ROW * rows if rows else 0.0
-    small, across = _thumbnails([place[:2] for place in places.values()], room - low)
+    below = max(foot for *_, foot in places.values())
+    small, across = _thumbnails([place[:2] for place in places.values()], room - low - below)
     large = {
-        panel.name: min(SHARE * INSIDE / wide, (room - HEAD - foot) / high)
-        for panel, (wide, high, foot) in places.items()
+        panel.name: min(SHARE * INSIDE / wide, (room - HEAD) / high)
+        for panel, (wide, high, _) in places.items()
     }
-    return Measures(math.ceil(head + room + caption), room, low, large, small, across)
+    return Measures(math.ceil(head + room + caption), room, low, below, large, small, across)
 
 
 def _foot(board: Plan, panel: Panel) -> float:

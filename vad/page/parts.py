@@ -18,6 +18,7 @@ from vad.lecture.moment import drawing
 from vad.lecture.telling import beats
 from vad.page.hand import Hand, hand
 from vad.page.ink import Inker, when
+from vad.page.large import large_panels
 from vad.page.measures import Measures, measures
 from vad.page.spoken import spoken
 from vad.page.themed import Inks, lettered
@@ -124,13 +125,15 @@ def parts(
         Classes whose rules are left out.
     """
     style, faces, sheet = load_style(lesson.style), Faces(), lesson.sheet
+    own, move = board is None, _move(lesson)
     turned = turned if board else turned_board(lesson)
     board = board or _plan(lesson, turned)
-    inker, words = Inker(board.form, Inks(style), faces), RunWriter(faces)
+    inker, words = Inker(board.form, Inks(style), faces, alone=own), RunWriter(faces)
+    large = large_panels(board, turned, inker) if own and move else {}
     listed = [_listed(lesson, step, words) for step in lesson.steps]
     for phrase in Language(sheet.language).page("HAND").values() if turned else ():
         words.of(roman(phrase))
-    moved = hand(turned, board, inker, words.of) if turned else None
+    moved = hand(turned, board, inker, words.of, large) if turned else None
     found = measures(board)
     drawn = [
         panel_section(board, panel, inker, words, found.large[panel.name]) for panel in sheet.panels
@@ -169,8 +172,9 @@ def parts(
                 for step in lesson.steps
             ],
             "answer": _answer(lesson, words),
-            "move": _move(lesson),
-            "flights": page_flights(lesson, board, inker),
+            "move": move,
+            "large": [each.data(name, board, inker) for name, each in large.items()],
+            "flights": page_flights(lesson, board, inker, large),
             "spoken": [words for _, words in listed],
             "grow": inker.growths,
             "words": Language(sheet.language).page("PLAYER"),
@@ -312,7 +316,7 @@ def picture(board: Plan, panel: Panel, inker: Inker) -> str:
     return (
         f'<div class="drawing" style="--cut:{number(cut[0], 4)};--ink:{number(cut[1], 4)}">'
         f'<svg viewBox="{inker.view(area)}" role="img" aria-label="{escape(panel.title)}">'
-        f"{inker.drawing(board, panel.name)}</svg></div>"
+        f"{inker.groups(drawn)}</svg></div>"
     )
 
 

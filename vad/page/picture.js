@@ -9,7 +9,8 @@
 //   moves           of each element: a letter, and the places of its coordinates
 //   labels, blocks  what is to be placed, and the lines with half widths that it keeps clear of
 //   nears           the distances of labels, and from which on they have leaders
-//   halves          of each half of a panel: the number of its panel, and its edges
+//   halves          of each half of a panel: the number of its panel, its edges, and those where the
+//                   panel is large
 //   rooms, page     of each panel its edges; pixels to the page unit, and its left and upper edge
 //   polygons        their scales: the first of three inputs, corners, room, and what a bar states
 //   cells           row, column, place, output, factor, unit, whether given
@@ -196,8 +197,24 @@ function picture(root, solve, data) {
       }
   }
 
+  // The panel that is drawn large, and has another room and another scale there; -1 for none. A picture
+  // without an input for its scale becomes larger as a whole, by a factor, with a shift.
+  const edges = data.halves.map((half) => [half.slice(1, 5), half.slice(5)]);
+  function arrange(panel, factor, ...shift) {
+    data.halves.forEach((half, i) => {
+      const large = half[0] === panel, scaled = data.polygons.some((polygon) => polygon.half === i);
+      if (scaled) half.splice(1, 4, ...edges[i][+(large && edges[i][1].length > 0)]);
+      else for (const layer of svgs[half[0]].querySelectorAll(".hand, .grip"))
+        if (large) layer.setAttribute("transform", `matrix(${factor} 0 0 ${factor} ${shift.join(" ")})`);
+        else layer.removeAttribute("transform");
+    });
+    sizes.arrange(panel);
+    find([]);
+    fresh = true;
+  }
+
   return {
-    state, out, paint, x, y, unit, counts, names,
+    state, out, paint, x, y, unit, counts, names, arrange,
     written: (value, units) => written(value, units, false, data.point),
     // A listener hears of each frame in which the picture glides on by itself.
     glides: (listener) => listeners.push(listener),

@@ -112,8 +112,8 @@ export function mount(root, data, { address = true } = {}) {
   const wide = matchMedia("(min-width: 64rem) and (min-height: 35rem)"), rail = one(".rail") ?? one(".steps");
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
-  const air = flights(root);
-  let lesson, x = 0, mode = "", goal = 0, rest = 0, beat, spoken, staged = -1, aloft = null;
+  const air = flights(root), scene = staging(root, calm);
+  let lesson, x = 0, mode = "", goal = 0, rest = 0, beat, spoken, aloft = null;
   let frame = 0, then = 0, timer = 0, letters = true, kept = 0, others = null;
 
   const strokes = () => lesson.times.length;
@@ -123,6 +123,7 @@ export function mount(root, data, { address = true } = {}) {
   function load(next, at = 0) {
     stop();
     lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg"), panel: 0 };
+    scene.load(lesson);
     near(1);
     if (rail !== one(".steps")) lesson.pictures.forEach((picture, i) => lesson.panels.forEach(([, title], k) => {
       if (i > 0 && k > 0 && k !== i) link(picture.closest(".panel").querySelector("h2"), k, title);
@@ -142,16 +143,16 @@ export function mount(root, data, { address = true } = {}) {
     const shown = calm.matches ? Math.ceil(x) : x, done = Math.floor(shown), fresh = beat === null;
     const now = shown === strokes() ? 2 * done + 1 : shown ? 2 * done + (shown > done) : 2 * lesson.opens;
     if (now !== beat) turn(now);
-    const grown = lesson.growing.filter(([since]) => since === now);
-    const flight = shown > done && flown(done) && air.flight(lesson.flights[done], grown.map(([, , mark]) => mark), lesson.pictures, now);
-    for (const [, show] of grown) show(flight ? 1 : smooth(shown - done));
-    if (flight || aloft) air.draw(flight, shown - done);
-    aloft = flight;
     scrub.value = x;
     scrub.style.setProperty("--share", x / strokes());
     say(Math.ceil(x) - 1);
     // The hand keeps the arrangement of the moment.
-    if (fresh || !others) stage(others ? staged : x < strokes() || rest > 0 ? lesson.panel : -1, fresh);
+    if (fresh || !others) stage(others ? scene.panel : x < strokes() || rest > 0 ? lesson.panel : -1, fresh);
+    const grown = lesson.growing.filter(([since]) => since === now), marks = grown.map(([, , mark]) => mark).filter(scene.shows);
+    const flight = shown > done && flown(done) && air.flight(lesson.flights[done], marks, lesson.pictures, now);
+    for (const [, show] of grown) show(flight ? 1 : smooth(shown - done));
+    if (flight || aloft) air.draw(flight, shown - done);
+    aloft = flight;
     root.dispatchEvent(new CustomEvent("vad:step", { detail: x }));
   }
 
@@ -229,28 +230,7 @@ export function mount(root, data, { address = true } = {}) {
     caption.dataset.said = 1 + starts.filter((start) => start <= past).length;
   }
 
-  // On a wide page one panel is large; -1 is the whole sheet. Drawings that then stand elsewhere go
-  // there, at once or as a move; headings and table, which would cross, fade in.
-  function stage(panel, atOnce) {
-    if (!lesson.move.length) panel = -1;
-    if (panel === staged && !atOnce) return;
-    const { pictures } = lesson, rows = all(".results tr"), moved = [...all(".top"), ...pictures, one(".results")];
-    const boxes = moved.map((each) => each.getBoundingClientRect());
-    moved.forEach((each) => each.getAnimations().forEach((old) => old.cancel()));
-    staged = panel;
-    root.classList.toggle("staged", panel >= 0);
-    const small = (each, i) => each?.classList.toggle("small", i !== panel);
-    pictures.map((each) => each.closest(".panel")).forEach(small);
-    rows.forEach((row) => [...row.children].slice(1).forEach(small));
-    moved.forEach((each, i) => {
-      const { left, top, width } = each.getBoundingClientRect(), from = boxes[i];
-      if (atOnce || !width || !from.width) return;
-      const begin = { transformOrigin: "0 0", transform: `translate(${from.left - left}px,${from.top - top}px) scale(${from.width / width})` };
-      each.animate(calm.matches || !pictures.includes(each) ? [{ opacity: 0 }, {}] : [begin, { transformOrigin: "0 0" }], {
-        duration: calm.matches ? 200 : 1000 * lesson.move[0] / speed.value, easing: "cubic-bezier(.333,0,.667,1)",
-      });
-    });
-  }
+  const stage = (panel, atOnce) => scene.to(panel, atOnce, lesson.move[0] / speed.value);
 
   // After the last stroke the answer is said in words.
   function conclude() {
@@ -306,7 +286,7 @@ export function mount(root, data, { address = true } = {}) {
   function run(how, to) {
     stop();
     if (x === strokes()) x = 0;
-    const panel = panelOf(Math.floor(x)), moves = lesson.move.length && panel !== staged;
+    const panel = panelOf(Math.floor(x)), moves = lesson.move.length && panel !== scene.panel;
     [mode, goal, rest, then] = [how, to, moves ? lesson.move[1] : 0, performance.now()];
     if (moves) stage(panel);
     if (how === "play") {
@@ -344,7 +324,7 @@ export function mount(root, data, { address = true } = {}) {
   function seek(to, atOnce) {
     stop();
     paint(to);
-    if (atOnce) stage(staged, true);
+    if (atOnce) stage(scene.panel, true);
   }
 
   const play = () => run("play", strokes());
@@ -367,6 +347,7 @@ export function mount(root, data, { address = true } = {}) {
       const { panel } = lesson, large = !root.classList.contains("large");
       root.classList.toggle("large", large);
       lesson.pictures.forEach((picture, i) => picture.closest(".panel").classList.toggle("big", large && i === panel));
+      scene.draw();
     },
     full: () => document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen?.().catch(() => {}),
     keys: () => dialog.showModal(),
@@ -459,8 +440,10 @@ export function mount(root, data, { address = true } = {}) {
     strokes,
     // Whether all of a panel is drawn.
     whole: (panel) => x >= lesson.first[panel] + length(panel),
-    dispose: () => { stop(); sized.disconnect(); measured.disconnect(); root.classList.remove("sized"); over.abort(); },
+    dispose: () => { stop(); scene.dispose(); sized.disconnect(); measured.disconnect(); root.classList.remove("sized"); over.abort(); },
     get x() { return x; },
-    get staged() { return staged; },
+    get staged() { return scene.panel; },
+    // The panel that is drawn large, -1 for none, and by how much it differs from that of the sheet.
+    get large() { return [scene.large, ...(lesson.large[scene.large] ?? []).slice(1, 4)]; },
   };
 }

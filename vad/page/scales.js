@@ -2,7 +2,8 @@
 // as in vad/plan/scale.py, and glides to a new one. A bar states it. A mechanism keeps its scale until
 // a dimension changes; then all of its poses are to fit.
 //
-// scales(root, data, out, state) -> {choose, steady, whole}. choose(calm) moves all scales, which are
+// scales(root, data, out, state) -> {choose, steady, whole, arrange}. arrange(panel) is told which panel
+// is drawn large: there its polygons have other rooms and scales. choose(calm) moves all scales, which are
 // inputs in the state, a step on their way, and tells whether any is still on it.
 
 // A mechanism may take this share of the size that would fit.
@@ -12,7 +13,7 @@ const SMALLER = 1 / 3, SHARE = 0.5, THERE = 2e-3, NO_SIZE = 1e-9;
 function scales(root, data, out, state) {
   const svgs = [...root.querySelectorAll(".drawing svg")], tops = [...root.querySelectorAll(".panel .top")];
   const [unit, left, top] = data.page;
-  const all = data.polygons.map(({ half, input, corners, inner, bar, mechanism }) => {
+  const all = data.polygons.map(({ half, input, corners, inner, bar, mechanism, large }) => {
     const below = svgs[data.halves[half][0]].querySelector(`[data-bar="${half}"]`);
     const made = { input, corners, inner, bar, below, now: state.slice(input, input + 3), half, mechanism };
     if (!below && bar) {
@@ -22,8 +23,19 @@ function scales(root, data, out, state) {
       tops[data.halves[half][0]].append(made.top);
     }
     made.to = made.now;
+    if (large) made.sides = [{ inner, bar, start: made.now }, { ...large, bar: bar && { ...bar, ...large.bar } }];
     return made;
   });
+
+  function arrange(panel) {
+    for (const polygon of all) {
+      const { start, ...own } = polygon.sides?.[+(data.halves[polygon.half][0] === panel)] ?? {};
+      if (!start) continue;
+      Object.assign(polygon, own, { now: start, to: start, shown: 0 });
+      data.start.splice(polygon.input, 3, ...start);
+      state.splice(polygon.input, 3, ...start);
+    }
+  }
 
   // The least box about what is shown, in the polygon's own unit; null where nothing is.
   function box({ input, corners }) {
@@ -141,5 +153,5 @@ function scales(root, data, out, state) {
     return Number(`${[5, 2].find((step) => step * 10 ** power <= most) ?? 1}e${power}`);
   }
 
-  return { choose, steady, whole, state: bars };
+  return { choose, steady, whole, arrange, state: bars };
 }

@@ -131,18 +131,24 @@ def number(value: float, digits: int = 2) -> str:
 
 
 class Classes:
-    """The classes of one picture."""
+    """The classes of one picture.
 
-    def __init__(self, scope: str = "") -> None:
+    Those of a picture that is ``alone`` in its file are numbered, and so have shorter names.
+    """
+
+    def __init__(self, scope: str = "", *, alone: bool = False) -> None:
         self.scope = scope
+        self._alone = alone
         self._rules: dict[str, str] = {}
+        self._names: dict[str, str] = {}
 
     def name(self, *declarations: str) -> str:
         """Return the class that says ``declarations``; an empty one says nothing."""
         says = ";".join(each for each in declarations if each)
-        name = named("c", says)
-        self._rules[name] = says
-        return name
+        if says not in self._names:
+            name = numbered(len(self._names)) if self._alone else named("c", says)
+            self._names[says], self._rules[name] = name, says
+        return self._names[says]
 
     def sheet(self, known: Collection[str] = ()) -> str:
         """Return all classes but the known ones."""
@@ -153,6 +159,18 @@ class Classes:
     def shared(self, name: str) -> str:
         """Return a name that no other picture on the page has: of an element, or of a font."""
         return f"{self.scope}-{name}" if self.scope else name
+
+
+def numbered(number: int) -> str:
+    """Return the short name of a number; it begins with a capital.
+
+    Examples
+    --------
+    >>> numbered(0), numbered(25), numbered(26), numbered(52)
+    ('A', 'Z', 'Aa', 'Ab')
+    """
+    more, first = divmod(number, 26)
+    return chr(65 + first) + (chr(96 + more) if more else "")
 
 
 @lru_cache(maxsize=1024)

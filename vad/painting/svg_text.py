@@ -5,7 +5,7 @@ at its place on the board, without the kerning of a browser.  `DrawnText` looks 
 program, with or without fonts: the outline of a letter is written once and used wherever it stands,
 and over the shapes lie the same words as text that is not seen.  The fonts are STIX, which
 matplotlib ships.  Their licence, the OFL, allows a part to be embedded under another name; what
-tells of the licence stays in it.
+tells of the licence stays in the first font of a file.
 """
 
 from __future__ import annotations
@@ -56,27 +56,27 @@ class Faces:
         self._letters.setdefault(face, set()).update(letters)
 
     def rules(self) -> str:
-        """Return the rules that bring the fonts."""
+        """Return the rules that bring the fonts; the first one tells of the licence of all."""
         return "".join(
             f"@font-face{{font-family:{self.family};{FACES[face] or 'font-style:normal'};"
-            f"src:url({data_uri(face, letters)})}}\n"
-            for face, letters in sorted(self._letters.items())
+            f"src:url({data_uri(face, letters, licensed=number == 0)})}}\n"
+            for number, (face, letters) in enumerate(sorted(self._letters.items()))
         )
 
 
-def data_uri(face: Face, letters: Iterable[str]) -> str:
-    """Return a font of ``letters`` as an address that holds it whole."""
-    font = b64encode(_woff(face, "".join(sorted(letters)))).decode()
+def data_uri(face: Face, letters: Iterable[str], *, licensed: bool = True) -> str:
+    """Return a font of ``letters`` as an address that holds it whole, with its licence or not."""
+    font = b64encode(_woff(face, "".join(sorted(letters)), licensed)).decode()
     return f"data:font/woff;base64,{font}"
 
 
 @lru_cache(maxsize=16)
-def _woff(face: Face, letters: str) -> bytes:
+def _woff(face: Face, letters: str, licensed: bool) -> bytes:
     from fontTools.subset import Options, Subsetter
     from fontTools.ttLib import TTFont
 
     options = Options(
-        name_IDs=[*_LEGAL, *_NAMES, _STYLE],
+        name_IDs=[*(_LEGAL if licensed else ()), *_NAMES, _STYLE],
         hinting=False,
         # The board measures without kerning and ligatures; FFTM holds dates.
         layout_features=[],

@@ -31,7 +31,7 @@ from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
 from vad.plan.sketch import Sketch
 from vad.strokes.draw import NO_PINS, parted, scene_of, sheet_of, with_forces
-from vad.strokes.sheet import Arrow, Block, Sheet
+from vad.strokes.sheet import Arrow, Block, Panel, Sheet
 from vad.strokes.traced_sheet import TracedSheet, nothing_held, traced_sheet
 from vad.words import Language
 
@@ -86,6 +86,8 @@ class HandBoard:
     ----------
     mechanism
         The mechanism.
+    poses
+        Its panel over the whole range of the driver.
     live
         The page, and what stands still on it.
     traced
@@ -101,6 +103,7 @@ class HandBoard:
     """
 
     mechanism: Mechanism
+    poses: Sequence[Panel]
     live: LiveBoard
     traced: TracedSheet
     scales: Mapping[str, Scale]
@@ -215,7 +218,7 @@ def hand_board(
             polygon, shared[half.name] = Polygon(setting, scales[half.name]), shared_lines(posed)
             sketches[half.name] = polygon.under_hand(setting, named, shared[half.name])
         labels += named.found
-    return HandBoard(mechanism, live, traced, scales, shared, sketches, labels)
+    return HandBoard(mechanism, poses, live, traced, scales, shared, sketches, labels)
 
 
 def poses_over_reach(mechanism: Mechanism) -> list[dict[str, float]]:

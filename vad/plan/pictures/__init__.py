@@ -106,10 +106,17 @@ def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:
 
 def over_reach(setting: Setting, poses: Sequence[Panel]) -> Skeleton | Views:
     """Return the picture of a mechanism for turning by hand, over the range of its driver."""
+    scale = reach_scale(setting, poses)
     if setting.panel.picture == "views":
-        return Views(setting, poses, views_scale(setting, poses))
+        return Views(setting, poses, scale)
     centres = {angle_centre(pose) for pose in poses} - {None}
-    return Skeleton(setting, poses, mechanism_scale(setting, poses), angle=len(centres) == 1)
+    return Skeleton(setting, poses, scale, angle=len(centres) == 1)
+
+
+def reach_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:
+    """Return the scale of a mechanism at which all its poses fit its room."""
+    views = setting.panel.picture == "views"
+    return (views_scale if views else mechanism_scale)(setting, poses)
 
 
 def resized(picture: Skeleton | Views, setting: Setting, before: Scale | None) -> Skeleton | Views:

@@ -1,0 +1,83 @@
+// The stage of a lesson: on a wide page the panel in work is large, beside thumbnails, and drawn anew
+// for its room (vad/page/large.py). A change of panels is a move.
+//
+// staging(root, calm) -> {load, to, panel, large, dispose}. load(lesson) before all else;
+// to(panel, atOnce, seconds) brings a panel into work, -1 the whole sheet. The root then hears
+// "vad:stage": large is the panel that is drawn large, or -1 where none is.
+
+function staging(root, calm) {
+  const all = (selector) => [...root.querySelectorAll(selector)], roomy = matchMedia("(min-width: 48rem)");
+  let lesson, views = [], panel = -1, large = -1;
+
+  // Where a place of a panel on the sheet stands in the window: a factor, and a shift right and down.
+  function seen(picture, i) {
+    const { a, e, f } = picture.getScreenCTM() ?? {}, [, factor, x, y] = i === large ? lesson.large[i] : [0, 1, 0, 0];
+    return [a * factor, a * x + e, a * y + f];
+  }
+
+  function load(next) {
+    lesson = next;
+    all(".scene").forEach((each) => each.remove());
+    views = lesson.pictures.map((picture) => picture.getAttribute("viewBox"));
+    lesson.pictures.forEach((picture, i) => {
+      if (lesson.large?.[i]) picture.insertAdjacentHTML("afterbegin", `<g class="scene">${lesson.large[i][4]}</g>`);
+    });
+    large = -1;
+  }
+
+  // The scale bar of a large panel is as long as it is in the picture, which has the view's shape.
+  const barred = new ResizeObserver(([{ contentRect: { width, height } }]) => {
+    const [view, factor] = lesson.large[large], [, , wide, high] = view.split(" "), { style } = lesson.pictures[large].closest(".panel").querySelector(".top");
+    style.setProperty("--s", `${Math.min(width / wide, height / high)}px`);
+    style.setProperty("--q", factor);
+  });
+
+  function draw() {
+    const next = roomy.matches && !root.classList.contains("large") && lesson.large?.length ? panel : -1;
+    if (next === large) return;
+    barred.disconnect();
+    lesson.pictures.forEach((picture, i) => {
+      if (!lesson.large?.[i]) return;
+      picture.setAttribute("viewBox", i === next ? lesson.large[i][0] : views[i]);
+      picture.closest(".panel").classList.toggle("grand", i === next);
+      for (const name of ["--s", "--q"]) picture.closest(".panel").querySelector(".top").style.removeProperty(name);
+    });
+    large = next;
+    if (large >= 0) barred.observe(lesson.pictures[large]);
+    root.dispatchEvent(new CustomEvent("vad:stage"));
+  }
+
+  // Headings and table, which would cross one another, fade in.
+  function to(next, atOnce, seconds) {
+    if (!lesson.move.length) next = -1;
+    if (next === panel && !atOnce) return draw();
+    const { pictures } = lesson, others = [...all(".top, .foot"), ...all(".results")], from = pictures.map(seen);
+    [...pictures, ...others].forEach((each) => each.getAnimations().forEach((old) => old.cancel()));
+    panel = next;
+    root.classList.toggle("staged", panel >= 0);
+    const small = (each, i) => each?.classList.toggle("small", i !== panel);
+    pictures.map((each) => each.closest(".panel")).forEach(small);
+    all(".results tr").forEach((row) => [...row.children].slice(1).forEach(small));
+    draw();
+    if (atOnce) return;
+    const timing = { duration: calm.matches ? 200 : 1000 * seconds, easing: "cubic-bezier(.333,0,.667,1)" };
+    for (const each of calm.matches ? [...pictures, ...others] : others) each.animate([{ opacity: 0 }, {}], timing);
+    if (!calm.matches) pictures.forEach((picture, i) => {
+      const { left, top, width } = picture.getBoundingClientRect(), [size, x, y] = from[i], [whole, u, v] = seen(picture, i), part = size / whole;
+      // A place of the sheet, and so all others, is where it was.
+      const shift = [x - left - part * (u - left), y - top - part * (v - top)];
+      if (width && part) picture.animate([{ transformOrigin: "0 0", transform: `translate(${shift.map((each) => `${each}px`)}) scale(${part})` }, { transformOrigin: "0 0" }], timing);
+    });
+  }
+
+  const over = new AbortController();
+  roomy.addEventListener("change", draw, { signal: over.signal });
+  return {
+    load, to, draw,
+    // Whether a mark is in the picture that its panel shows, on the sheet or large.
+    shows: (mark) => Boolean(mark.closest(".scene")) === (mark.ownerSVGElement === lesson.pictures[large]),
+    dispose: () => { barred.disconnect(); over.abort(); },
+    get panel() { return panel; },
+    get large() { return large; },
+  };
+}
