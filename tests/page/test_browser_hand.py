@@ -354,14 +354,17 @@ def test_a_finger_turns_the_crank_in_a_page_that_scrolls(browser: Browser, tmp_p
 
 
 def test_a_page_around_it_drives_it_and_hears_of_it(browser: Browser, tmp_path: Path) -> None:
-    """In a sandbox without an origin."""
+    """In a sandbox without an origin; it makes the frame as high as the page says."""
     inner = escape(page_of("four-bar"))
-    frame = f'<iframe sandbox="allow-scripts" width="800" height="500" srcdoc="{inner}"></iframe>'
-    heard = "<script>var heard=[];onmessage=(event)=>heard.push(event.data.vad)</script>"
+    frame = f'<iframe sandbox="allow-scripts" width="800" height="200" srcdoc="{inner}"></iframe>'
+    heard = """<script>var heard=[];onmessage=({data:{vad}})=>{
+      heard.push(vad);if(vad.height)document.querySelector("iframe").height=vad.height}</script>"""
     send = "said => document.querySelector('iframe').contentWindow.postMessage(said, '*')"
     with opened(browser) as page:
         show(page, tmp_path, f"<!doctype html><meta charset=utf-8>{heard}{frame}")
-        until(page, lambda: page.evaluate("heard.some(({ height }) => height > 300)"))
+        board = page.frame_locator("iframe").locator(".board")
+        until(page, lambda: board.bounding_box()["width"] > 720)
+        assert 400 < page.evaluate("heard.at(-1).height") < 600
         page.evaluate(send, {"vad": {"step": "velocity:4"}})
         until(page, lambda: page.evaluate(f"heard.at(-1).step === {STEP - 1}"))
         page.evaluate(send, {"vad": {"pose": {"angle": 90}}})

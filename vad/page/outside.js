@@ -3,6 +3,8 @@
 // outside(root, body, dock, player) -> {solve, pose, step, back, state, addEventListener, …}. All
 // that comes from outside passes one gate, which answers with a sentence, and a hint where it has one.
 
+const REM = 16;
+
 function outside(root, body, dock, player) {
   const { data, turns, state } = body, { words } = data, own = new Float64Array(data.size);
   const listeners = { pose: new Set(), step: new Set() };
@@ -110,12 +112,22 @@ function outside(root, body, dock, player) {
 
   // ---- the page around this one ----
 
-  let due = 0, last = "";
-  const board = root.querySelector(".board");
+  let due = 0, last = "", height = 0;
+  const board = root.querySelector(".board"), control = root.querySelector(".control");
+
+  // How high a frame should be, so that the board is as wide as it: what is above the dock grows with
+  // the board. Where the rail stands beside the board, the frame is so high that it stays there. A
+  // pixel more or less is none.
+  function wanted() {
+    const dock = control.offsetHeight, spare = parseFloat(getComputedStyle(control).marginTop) || 0;
+    const wide = board.offsetWidth + 2 * board.offsetLeft, above = board.offsetHeight - dock - spare;
+    const found = Math.max(dock + above * wide / board.offsetWidth, innerWidth >= 64 * REM ? 35 * REM : 0);
+    return Math.abs(found - height) < 3 ? height : Math.ceil(found);
+  }
 
   function tell() {
     due = 0;
-    const height = Math.ceil(board.getBoundingClientRect().height);
+    height = wanted();
     const news = { height, step: player.x, pose: dock.held ? now() : null }, text = JSON.stringify(news);
     if (text !== last) parent.postMessage({ vad: news }, "*");
     last = text;
@@ -138,6 +150,7 @@ function outside(root, body, dock, player) {
   body.on(() => { if (dock.held) tellAll("pose", now()); later(); });
   player.on(root, "vad:step", (event) => { if (!dock.held) tellAll("step", event.detail); later(); });
   dock.on(later);
+  player.on(window, "resize", later);
   new ResizeObserver(later).observe(board);
 
   return {
