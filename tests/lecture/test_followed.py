@@ -79,6 +79,37 @@ def test_the_polygons_have_the_vector_of_the_point_alone():
             assert shape.end == pytest.approx(value)
 
 
+def test_arrows_at_the_point_are_those_of_the_polygons_at_lengths_that_never_change():
+    turn = vad.turn(jansen()())
+    lengths: dict[str, list[complex]] = {"velocity": [], "acceleration": []}
+    size = 0.0
+    for frame in range(0, turn.frames, 5):
+        sheet = turn.pose(frame)
+        strokes = {stroke.name: stroke for stroke in sheet.panel("position").strokes}
+        places = [s.shape.end for s in strokes.values() if isinstance(s.shape, Arrow)]
+        size = max(size, *(abs(place) for place in places))
+        for name, ratios in lengths.items():
+            stroke, vector = strokes[f"H.{name}"], sheet.panel(name).strokes[1].shape
+            arrow = stroke.shape
+            assert isinstance(arrow, Arrow)
+            assert isinstance(vector, Arrow)
+            assert stroke.label == name[0]
+            assert arrow.start == pytest.approx(strokes["H.found"].shape.at)
+            ratios.append((arrow.end - arrow.start) / (vector.end - vector.start))
+    for ratios in lengths.values():
+        assert ratios == pytest.approx([ratios[0]] * len(ratios))
+        assert ratios[0].imag == pytest.approx(0.0)
+    longest = abs(turn.cycle.curves["acceleration"].values).max() * lengths["acceleration"][0].real
+    assert 0.2 * size < longest < 0.5 * size
+
+
+def test_without_the_polygon_of_a_rate_it_has_no_arrow():
+    turn = vad.turn(jansen()(), panels=("position", "velocity"))
+    names = {stroke.name for stroke in turn.pose(100).panel("position").strokes}
+    assert "H.velocity" in names
+    assert "H.acceleration" not in names
+
+
 def test_all_points_are_shown_on_demand():
     turn = vad.turn(jansen()(), follow="all")
     assert turn.followed is None

@@ -7,7 +7,7 @@ it does so it is in stance, and else in swing; the cycle then begins at touch-do
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -31,6 +31,8 @@ ALL = "all"
 STANDS, LEAST_STANCE = 0.06, 0.25
 #: A leg has two loops at least: of a four-bar, such a point is to draw a straight line.
 LOOPS_OF_LEGS = 2
+#: The symbols of its rates, and the length of the largest of each in the size of the mechanism.
+RATES, LONGEST = ("v", "a"), 0.33
 #: A point moves if its path is larger than this share of the mechanism.
 _MOVES = 1e-9
 #: The panels in which it is followed.
@@ -63,11 +65,24 @@ class Stance:
 
 @dataclass(frozen=True, slots=True)
 class Followed:
-    """A point that is followed over a turn, and the link or slide whose ink it has."""
+    """A point that is followed over a turn.
+
+    Attributes
+    ----------
+    point
+        Its letter.
+    row
+        The link or slide whose ink it has.
+    stance
+        When it stands, if it is a foot.
+    lengths
+        The length in the mechanism of a unit of its velocity, and of its acceleration.
+    """
 
     point: str
     row: str
     stance: Stance | None = None
+    lengths: tuple[float, float] = (0.0, 0.0)
 
     def image(self, panel: str) -> str:
         """Return its letter in a panel."""
@@ -112,8 +127,35 @@ class Followed:
         return ("v" if order is VELOCITY else "a") + index, unit, np.abs(value)
 
     def shown(self, sheet: Sheet) -> Sheet:
-        """Return a sheet of which the polygons show the vector of the point alone."""
-        return replace(sheet, panels=tuple(map(self._shown, sheet.panels)))
+        """Return a sheet of which the polygons show the vector of the point alone.
+
+        In the mechanism the arrows of its velocity and acceleration begin at the point.
+        """
+        arrows = tuple(self._arrows(sheet))
+        panels = (
+            replace(panel, strokes=(*panel.strokes, *arrows))
+            if panel.name == POSITION.panel
+            else self._shown(panel)
+            for panel in sheet.panels
+        )
+        return replace(sheet, panels=tuple(panels))
+
+    def _arrows(self, sheet: Sheet) -> Iterator[Stroke]:
+        """Yield the arrows at the point, of the rates whose polygons are on the sheet."""
+        ways = {panel.name: (*panel.strokes, *panel.zeros) for panel in sheet.panels}
+        at = _place(ways.get(POSITION.panel, ()), self.point)
+        for order, symbol, length in zip(ORDERS[1:], RATES, self.lengths, strict=True):
+            rate = _place(ways.get(order.panel, ()), self.image(order.panel))
+            if at is not None and rate:
+                yield Stroke(
+                    "result",
+                    symbol,
+                    Arrow(at, at + length * rate, self.point, ""),
+                    "",
+                    link=self.row,
+                    component="absolute",
+                    part=StrokePart(self.point, order.panel),
+                )
 
     def _shown(self, panel: Panel) -> Panel:
         if panel.name not in (VELOCITY.panel, ACCELERATION.panel):
@@ -216,9 +258,14 @@ def _links_with(scene: Scene, point: str) -> list[str]:
 
 def _moves(scene: Scene, point: str) -> bool:
     at = np.asarray(scene.motion.point(point).position)
+    least = _MOVES * _size(scene)
+    return bool(np.ptp(at[np.isfinite(at)]) and np.nanmax(np.abs(at - at.flat[0])) > least)
+
+
+def _size(scene: Scene) -> float:
+    """Return how far the points of a mechanism get from the first one."""
     every = [np.asarray(scene.motion.point(each).position) for each in scene.motion.points]
-    size = max(float(np.nanmax(np.abs(each - every[0]))) for each in every)
-    return bool(np.ptp(at[np.isfinite(at)]) and np.nanmax(np.abs(at - at.flat[0])) > _MOVES * size)
+    return max(float(np.nanmax(np.abs(each - every[0]))) for each in every)
 
 
 def _followed(turn: Turn, scene: Scene, point: str) -> Followed:
@@ -229,7 +276,10 @@ def _followed(turn: Turn, scene: Scene, point: str) -> Followed:
     rows = [each for each in (*slides, *links) if each != driver]
     height = np.asarray(scene.motion.point(point).position).imag
     stance = _stance(height) if turn.course.swing is None else None
-    return Followed(point, (rows or [driver])[-1], stance)
+    rates = (getattr(scene.motion.point(point), order.panel) for order in ORDERS[1:])
+    largest = (float(np.nanmax(np.abs(rate))) for rate in rates)
+    velocity, acceleration = (LONGEST * _size(scene) / each if each else 0.0 for each in largest)
+    return Followed(point, (rows or [driver])[-1], stance, (velocity, acceleration))
 
 
 def _stance(height: Reals) -> Stance | None:

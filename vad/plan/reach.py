@@ -22,11 +22,13 @@ from vad.strokes.sheet import (
     Stroke,
 )
 
+#: The components of arrows upon a mechanism: forces and their arms, and the rates of a point.
+UPON = ("load", "action", "couple", "absolute")
+
 
 def is_load(stroke: Stroke) -> bool:
-    """Tell whether an arrow in the picture of a mechanism is a force or its arm, and no bar."""
-    forces = "load", "action", "couple"
-    return isinstance(stroke.shape, Arrow) and stroke.component in forces
+    """Tell whether an arrow in the picture of a mechanism is a force, its arm or a rate, no bar."""
+    return isinstance(stroke.shape, Arrow) and stroke.component in UPON
 
 
 def is_curved_arrow(stroke: Stroke) -> bool:

@@ -25,6 +25,7 @@ from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.marks import Mark, line
 from vad.plan.pictures.polygon import CORIOLIS, name_of, principal
+from vad.plan.reach import UPON
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.diagram import Spot
@@ -36,7 +37,7 @@ SHOWN = 0.5
 #: A label that stands farther from its dot is led to it by a line; from there on the line appears.
 FAR, LEADER_APPEARS, LEADER_GAP = 20.0 * PIXEL, 4.0 * PIXEL, 5.0 * PIXEL
 #: The components of vectors that have a name of their own.
-NAMED = ("coriolis", "force", "load", "couple", "action")
+NAMED = ("coriolis", "force", *UPON)
 
 #: How far inside the window in which a picture is seen a place is at a phase; less than 0 outside.
 Inside = Callable[[complex, float], float]
