@@ -320,6 +320,12 @@ def test_the_links_stop_where_they_part(browser: Browser, tmp_path: Path) -> Non
         assert "error" not in page.evaluate(
             "angle => vad.solve({ angle })", float(told["hint"].split()[-1])
         )
+        # Beyond the limit the links go on in the other assembly, at a scale of now.
+        press(page, "End", "End")
+        page.locator("[data-do=other]").click()
+        assert page.evaluate("() => vad.state.assembly") == "crossed"
+        bars = page.locator(".scale:visible").all_inner_texts()
+        assert bars[2] == "200\u202f000\u00a0mm/s²"
 
 
 _COVERED = """() => {

@@ -13,6 +13,8 @@
 
 // Of the size of a mechanism: two places that are nearer are one.
 const MEETING = 1e-4;
+// Of a stretch: what is nearer to its end is there.
+const END = 1e-11;
 // In so many poses of a stretch the size of a mechanism is looked up.
 const POSES_WHOLE = 48;
 
@@ -84,7 +86,9 @@ function driven(root, solve, data) {
   // Places of the driver over its stretches, so many in each.
   const among = (count) => ranges.flatMap(([low, high]) => [...Array(count).keys()].map((n) => low + (high - low) * (n + 0.5) / count));
 
-  const atEnd = () => !full(range) && (state[0] <= range[0] || state[0] >= range[1]);
+  // What is so near to an end is there: in the assembly beyond, the end is another by rounding, and
+  // rates there would have a scale from which no other one is found.
+  const atEnd = () => !full(range) && Math.min(state[0] - range[0], range[1] - state[0]) <= END * (range[1] - range[0]);
 
   // Paints the state. At a limit rates have no value: they grow without end towards it.
   function show() {
