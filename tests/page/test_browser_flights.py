@@ -52,6 +52,31 @@ _DRAWN = """(beat) => {
 }"""
 
 
+#: The dotted way of what flies, its first and its last place, and the ring in which a head docks.
+_TRAIL = """() => {
+  const path = document.querySelector(".air > g > path:only-of-type");
+  if (!path) return null;
+  const place = ({ x, y }) => [x, y], matrix = path.getScreenCTM(), long = path.getTotalLength();
+  const ring = path.parentNode.querySelector("circle")?.getBoundingClientRect();
+  return [[0, long].map((each) => place(path.getPointAtLength(each).matrixTransform(matrix))),
+    ring && [ring.x + ring.width / 2, ring.y + ring.height / 2]];
+}"""
+#: The middle of a number that flies, of that in the caption, and of the name of its sense.
+_NUMBERS = """(beat) => {
+  const sense = [...document.querySelectorAll(`[data-s="${beat}"] > text`)].find((each) =>
+    !each.closest(".scene, .hand, .grand"));
+  return [document.querySelector(".sent"), document.querySelector(".caption data"), sense]
+    .map((each) => each?.getBoundingClientRect())
+    .map((box) => box && [box.x + box.width / 2, box.y + box.height / 2]);
+}"""
+#: Stops the flight of a number at a share of its time.
+_STOPPED = """(share) => document.getAnimations().forEach((each) => {
+  const { delay, duration } = each.effect.getTiming();
+  each.pause();
+  each.currentTime = delay + share * duration;
+})"""
+
+
 @pytest.fixture(scope="module")
 def lever(browser: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
     with opened(browser, viewport={"width": 1280, "height": 720}) as page:
@@ -83,10 +108,16 @@ def test_a_vector_leaves_its_source_and_lands_in_its_place(lever: Page, number: 
     lifted = flying(lever, number + phases[0] / sum(phases))
     if kind != "image":
         assert math.degrees(abs(cmath.phase((lifted[1] - lifted[0]) / (end - start)))) < 0.5
+    assert lever.evaluate(_TRAIL) is None
     before = flying(lever, number + 1.0 - phases[-1] / sum(phases))
     turned = math.degrees(cmath.phase((before[1] - before[0]) / (end - start)))
     assert turned == pytest.approx(turn, abs=0.5)
     landing = flying(lever, number + 1.0 - 1e-6)
+    (begun, over), ring = lever.evaluate(_TRAIL)
+    end = kind == "coriolis"  # its head docks
+    assert abs(complex(begun[0], -begun[1]) - before[end]) < 1.5
+    assert abs(complex(over[0], -over[1]) - landing[end]) < 1.5
+    assert (ring is not None) is end and (not end or math.dist(ring, over) < 1.5)
     assert flying(lever, number + 1.0) is None
     drawn = ends(lever.evaluate(_DRAWN, 2 * number + 1))
     # An arrow on one line with another is drawn beside it, an image from where it is seen alone.
@@ -137,6 +168,23 @@ def test_the_next_key_lands_it_and_a_switch_lets_a_pencil_draw(lever: Page) -> N
     press(lever, "Escape")
     assert flying(lever, number + 0.5) is None
     lever.locator(".travels").evaluate("(each) => { each.checked = true; }")
+
+
+def test_a_rate_that_is_found_flies_to_its_sense(lever: Page) -> None:
+    number, (_, seconds) = next(iter(parts(LESSON).data["sent"].items()))
+    assert seconds == 1.6
+    scrub(lever, number + 0.9)
+    press(lever, "ArrowRight")
+    until(lever, lambda: lever.locator(".sent").count() == 1)
+    seen = []
+    for share in (0.05, 0.3, 0.6):
+        lever.evaluate(_STOPPED, share)
+        sent, said, sense = lever.evaluate(_NUMBERS, 2 * number + 2)
+        seen.append(sent)
+    assert math.dist(seen[0], said) < 1.0 and math.dist(seen[2], sense) < 1.5
+    assert math.dist(seen[1], said) > 50 and math.dist(seen[1], sense) > 50
+    lever.evaluate("() => document.getAnimations().forEach((each) => each.finish())")
+    until(lever, lambda: lever.locator(".sent").count() == 0)
 
 
 def test_where_the_source_is_not_seen_a_pencil_draws(lever: Page) -> None:

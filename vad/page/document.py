@@ -55,7 +55,7 @@ _START = (
     "packed[2].forEach((layer,i)=>svgs[i].insertAdjacentHTML('beforeend',layer));"
     "const player=mount(root,data);"
 )
-_PLAYED = ("flights.js", "stage.js", "player.js")
+_PLAYED = ("flights.js", "sent.js", "stage.js", "player.js")
 #: The scripts of a page that is turned, those first that others use.
 _HAND = (
     "solver.js",

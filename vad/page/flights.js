@@ -1,5 +1,6 @@
 // Vectors that travel, as in films (vad/plan/pictures/flights.py): a copy of a link, or of a velocity,
 // turns, is stretched, and flies to its place in a polygon, in another panel of the page.
+// Its way is dotted, and where its head docks there is a ring.
 //
 // flights(root) -> {flight, draw}. flight(data, marks, svgs, beat) is one, by what vad/page/travels.py says
 // of it, by the marks that grow in its beat and by the pictures of all panels; null where its source is not
@@ -11,6 +12,9 @@ const LIFT = 28.8, SEEN = 64.8;
 const ARCH = .08, GHOSTS = [.2, .28, .36], VANISHING = .92;
 // Of a head: the length by that of its side, how much of a short vector, where the shaft ends in it.
 const SIDE = 1.077, HEAD_SHARE = .6, NECK = .66;
+
+// In how many parts the way is drawn.
+const PARTS_OF_WAY = 10;
 
 function flights(root) {
   const air = root.querySelector(".air") ?? root.appendChild(document.createElementNS("http://www.w3.org/2000/svg", "svg"));
@@ -44,7 +48,7 @@ function flights(root) {
     // An area shows when its stroke is done, an arrow grows.
     const all = kind === "area" ? [...to.querySelectorAll(`[data-s="${beat + 1}"] > path`)].filter((each) => each.closest(".scene") === marks[0].closest(".scene")) : marks;
     const tip = all.find((each) => each.localName === "path" && filled(each)), shaft = kind !== "area" && tip?.previousElementSibling;
-    return tip ? { to, start, way, unit, legs, phases, marks, tip, shaft } : null;
+    return tip ? { kind, to, start, way, unit, legs, phases, marks, tip, shaft } : null;
   }
 
   // Where its start is after some time, its factor, and by how much it is turned clockwise.
@@ -57,12 +61,16 @@ function flights(root) {
     return found;
   }
 
-  function drawn(flight, time, ink) {
-    const { to, start, way, unit, tip, shaft } = flight, room = to.closest(".panels").getBoundingClientRect();
-    let [x, y, factor, turn] = leg(flight, time);
+  // That, kept within the panels, and how far from its tail its head then is.
+  function placed(flight, time) {
+    const { to, way } = flight, room = to.closest(".panels").getBoundingClientRect(), [x, y, factor, turn] = leg(flight, time);
     const [cos, sin] = ray(turn), dx = factor * (way[0] * cos - way[1] * sin), dy = factor * (way[0] * sin + way[1] * cos);
-    x += Math.max(0, room.left - Math.min(x, x + dx)) + Math.min(0, room.right - Math.max(x, x + dx));
-    y += Math.max(0, room.top - Math.min(y, y + dy)) + Math.min(0, room.bottom - Math.max(y, y + dy));
+    const inside = (low, high, at, by) => at + Math.max(0, low - Math.min(at, at + by)) + Math.min(0, high - Math.max(at, at + by));
+    return [inside(room.left, room.right, x, dx), inside(room.top, room.bottom, y, dy), factor, turn, dx, dy];
+  }
+
+  function drawn(flight, time, ink) {
+    const { to, start, unit, tip, shaft } = flight, [x, y, factor, turn, dx, dy] = placed(flight, time);
     if (!shaft) {
       const { a, b, c, d, e, f } = to.getScreenCTM();
       return `<g opacity="${ink}" style="stroke:var(--grey)" transform="translate(${x} ${y}) rotate(${turn}) scale(${factor}) translate(${-start.x} ${-start.y}) matrix(${a} ${b} ${c} ${d} ${e} ${f})">${tip.outerHTML}</g>`;
@@ -74,7 +82,19 @@ function flights(root) {
       `<path class="${tip.getAttribute("class")}" transform="translate(${x + dx} ${y + dy}) rotate(${angle}) scale(${head})" d="M0 0-1-.4-.76 0-1 .4z"/></g>`;
   }
 
-  function draw(flight, share) {
+  // The way of the tail in the last phase, or of the head that docks in a ring: in the picture's units, as
+  // their lines are.
+  function trail(flight, [path, ring, radius]) {
+    const { kind, unit, phases } = flight, all = phases.reduce((sum, each) => sum + each), docks = kind === "coriolis", spots = [];
+    for (let n = 0; n <= PARTS_OF_WAY; n++) {
+      const [x, y, , , dx, dy] = placed(flight, all - phases.at(-1) * (1 - n / PARTS_OF_WAY));
+      spots.push([x + docks * dx, y + docks * dy]);
+    }
+    const line = spots.map((spot) => spot.map((each) => (each / unit).toFixed(2)).join(" ")).join("L"), [x, y] = spots.at(-1);
+    return `<g transform="scale(${unit})"><path class="${path}" d="M${line}"/>${docks ? `<circle class="${ring}" cx="${x / unit}" cy="${y / unit}" r="${radius}"/>` : ""}</g>`;
+  }
+
+  function draw(flight, share, looks) {
     hidden.forEach((each) => each.classList.remove("aloft"));
     hidden = flight ? flight.marks.map((each) => each.parentNode) : [];
     hidden.forEach((each) => each.classList.add("aloft"));
@@ -85,6 +105,7 @@ function flights(root) {
       time += each;
       if (share * all > time && share < VANISHING) text += drawn(flight, time, GHOSTS[n]);
     });
+    if (share * all > time) text = trail(flight, looks) + text;
     air.innerHTML = text + drawn(flight, share * all, 1);
   }
 

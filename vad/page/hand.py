@@ -165,7 +165,6 @@ def hand(
         place = f'cx="0" cy="0" r="{radius}" data-vad-grip'
         since = begun.of(regions[0], traced.sheet.driver.stroke)
         ring = f'<g class="grip"{since}><circle class="ring" {place}/></g>'
-    leader = inker.mark(line([0j, 1.0 + 0j], "leader"))
     data = {
         "inputs": list(traced.inputs),
         "start": _start(board, plan),
@@ -184,7 +183,7 @@ def hand(
         "nears": [
             [[*near, *(near[0] + far for far in _FAR if led)], len(near)] for near, led in nears
         ],
-        "leader": leader.partition('class="')[2].partition('"')[0],
+        "leader": inker.name(line([0j, 1.0 + 0j], "leader")),
         "blocks": blocks,
         "boxes": boxes,
         "rooms": [edges(board.live.page.panels[panel].drawing) for panel in regions],

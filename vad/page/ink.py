@@ -69,6 +69,10 @@ class Inker:
         """Return a mark in its final state."""
         return self._elements.of(mark.shape, self.inks(mark)).replace("\n", "")
 
+    def name(self, mark: Mark) -> str:
+        """Return the class of a mark that is no text."""
+        return self._elements.classes(self.inks(mark))[-1]
+
     @property
     def frame(self) -> list[float]:
         """What makes pixels of page units: pixels to the unit, and the left and the upper edge."""

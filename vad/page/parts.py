@@ -22,7 +22,7 @@ from vad.page.large import large_panels
 from vad.page.measures import Measures, measures
 from vad.page.spoken import spoken
 from vad.page.themed import Inks, lettered
-from vad.page.travels import page_flights
+from vad.page.travels import page_flights, trails
 from vad.painting.posed import SIZE
 from vad.painting.svg_elements import number
 from vad.painting.svg_text import Faces
@@ -36,7 +36,7 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import Runs, bold, roman, said, symbols
 from vad.plan.lettering.wrapping import cut, tied
 from vad.plan.marks import line
-from vad.plan.page.changing import caption_lines, measuring
+from vad.plan.page.changing import caption_lines, figure_of, measuring
 from vad.plan.page.heads import APART, REMARK_SIZE, TITLE, Piece, compose
 from vad.plan.page.quarter import SIZE as ENTRY
 from vad.plan.page.table import CLEAR, EQUALS, VALUES, Columns, alike
@@ -175,6 +175,8 @@ def parts(
             "move": move,
             "large": [each.data(name, board, inker) for name, each in large.items()],
             "flights": page_flights(lesson, board, inker, large),
+            "trails": trails(inker),
+            "sent": _sent(lesson),
             "spoken": [words for _, words in listed],
             "grow": inker.growths,
             "words": Language(sheet.language).page("PLAYER"),
@@ -250,7 +252,32 @@ def _beats(step: LessonStep, words: RunWriter) -> str:
     if len(parts) == 1:
         return words.of(said(pieces))
     ends = accumulate((len(text_of(part)) for part in parts), initial=0)
-    return "".join(f"<span>{words.of(said(cut(pieces, each)))}</span>" for each in pairwise(ends))
+    *before, result = (cut(pieces, each) for each in pairwise(ends))
+    told = [words.of(said(part)) for part in before] + [_result(step, result, words)]
+    return "".join(f"<span>{each}</span>" for each in told)
+
+
+def _result(step: LessonStep, pieces: Sequence[TextPiece], words: RunWriter) -> str:
+    """Return the result of a calculation; a rate that flies to its link is an element in it."""
+    if not step.sent[1]:
+        return words.of(said(pieces))
+    first, end = figure_of(pieces)
+    texts = [words.of(said(part)) for part in (pieces[:first], pieces[first:end], pieces[end:])]
+    return "{}<data>{}</data>{}".format(*texts)
+
+
+def _sent(lesson: Lesson) -> dict[int, list[float]]:
+    """Return when a found ω or α flies to its link, and for how long, by its stroke's number.
+
+    That is in seconds from the end of the stroke on.
+    """
+    return {
+        number: [
+            round(frames / lesson.fps, 3) for frames in (step.sent[0] - step.grow, step.sent[1])
+        ]
+        for number, step in enumerate(lesson.steps)
+        if step.sent[1]
+    }
 
 
 def _answer(lesson: Lesson, words: RunWriter) -> list[str]:

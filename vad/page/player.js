@@ -9,6 +9,8 @@
 
 const smooth = (t) => t * t * (3 - 2 * t);
 const ray = (degrees) => [Math.cos(degrees * Math.PI / 180), Math.sin(degrees * Math.PI / 180)];
+// After a step that was asked for, a number is read for so many seconds before it flies.
+const READ = .3;
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
 // Called again and again, it lets something be done once, when no call has come for some milliseconds.
@@ -112,7 +114,7 @@ export function mount(root, data, { address = true } = {}) {
   const wide = matchMedia("(min-width: 64rem) and (min-height: 35rem)"), rail = one(".rail") ?? one(".steps");
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
-  const air = flights(root), scene = staging(root, calm);
+  const air = flights(root), scene = staging(root, calm), sends = sending(root);
   let lesson, x = 0, mode = "", goal = 0, rest = 0, beat, spoken, aloft = null;
   let frame = 0, then = 0, timer = 0, letters = true, kept = 0, others = null;
 
@@ -142,7 +144,10 @@ export function mount(root, data, { address = true } = {}) {
     x = clamp(to, 0, strokes());
     const shown = calm.matches ? Math.ceil(x) : x, done = Math.floor(shown), fresh = beat === null;
     const now = shown === strokes() ? 2 * done + 1 : shown ? 2 * done + (shown > done) : 2 * lesson.opens;
-    if (now !== beat) turn(now);
+    if (now !== beat) {
+      sends.stop();
+      turn(now);
+    }
     scrub.value = x;
     scrub.style.setProperty("--share", x / strokes());
     say(Math.ceil(x) - 1);
@@ -151,7 +156,7 @@ export function mount(root, data, { address = true } = {}) {
     const grown = lesson.growing.filter(([since]) => since === now), marks = grown.map(([, , mark]) => mark).filter(scene.shows);
     const flight = shown > done && flown(done) && air.flight(lesson.flights[done], marks, lesson.pictures, now);
     for (const [, show] of grown) show(flight ? 1 : smooth(shown - done));
-    if (flight || aloft) air.draw(flight, shown - done);
+    if (flight || aloft) air.draw(flight, shown - done, lesson.trails);
     aloft = flight;
     root.dispatchEvent(new CustomEvent("vad:step", { detail: x }));
   }
@@ -221,6 +226,15 @@ export function mount(root, data, { address = true } = {}) {
     caption.textContent = status.textContent = chapter.title || chapter.textContent;
     count.textContent = `${at - lesson.first[panel]} / ${length(panel)}`;
     spoken = null;
+  }
+
+  // A rate that a stroke has found flies to the arrow of its sense, or to its row: when its number is said.
+  function sent(stroke) {
+    const [wait, long] = lesson.sent[stroke] ?? [], number = caption.querySelector("data");
+    if (!long || !number || !one(".travels").checked || calm.matches) return;
+    const seen = all(`.drawing [data-s="${2 * stroke + 2}"]`).filter((each) => scene.shows(each) && !each.closest(".hand") && panelOf(stroke) !== lesson.pictures.indexOf(each.ownerSVGElement));
+    const goals = seen.length ? seen : all(".results .new .cell").filter((each) => each.offsetWidth);
+    if (goals.length) sends.send(number, goals, (mode === "play" ? Math.max(0, wait) : READ) / speed.value, long / speed.value);
   }
 
   // While it is played, a caption that calculates is said in beats.
@@ -309,7 +323,10 @@ export function mount(root, data, { address = true } = {}) {
       else if (used < need) at += used / grow;
       else [at, rest] = [stroke + 1, mode === "play" ? hold : 0];
     }
-    if (at !== x) paint(at);
+    if (at !== x) {
+      paint(at);
+      if (Number.isInteger(at)) sent(at - 1);
+    }
     if (rest > 0 || at < goal) {
       if (mode === "play") beats(at);
       if (at < goal && rest > 0 && rest <= lesson.move[1]) stage(panelOf(at));
@@ -440,7 +457,7 @@ export function mount(root, data, { address = true } = {}) {
     strokes,
     // Whether all of a panel is drawn.
     whole: (panel) => x >= lesson.first[panel] + length(panel),
-    dispose: () => { stop(); scene.dispose(); sized.disconnect(); measured.disconnect(); root.classList.remove("sized"); over.abort(); },
+    dispose: () => { stop(); sends.stop(); scene.dispose(); sized.disconnect(); measured.disconnect(); root.classList.remove("sized"); over.abort(); },
     get x() { return x; },
     get staged() { return scene.panel; },
     // The panel that is drawn large, -1 for none, and by how much it differs from that of the sheet.

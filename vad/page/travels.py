@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from vad.lecture.lesson import Lesson
@@ -18,6 +19,7 @@ from vad.page.large import Large
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
 from vad.plan.pictures.flights import Flight
+from vad.plan.pictures.traces import RING, path, ring
 from vad.plan.sketch import Sketch
 
 
@@ -59,6 +61,16 @@ def page_flights(
         looks = [round(each, 2) + 0.0 for each in turns]
         found[number] = [seconds, kind, phases, columns.index(source), *looks, *places]
     return found
+
+
+def trails(inker: Inker) -> list[Any]:
+    """Return the classes of the dotted path of a flight, and of the ring in which a head docks.
+
+    Then follows the radius of the ring in pixels.
+    """
+    marks = path([0j, 1.0 + 0j], 0.0, 1.0), ring(0j, 0.0, 1.0)
+    looks = [inker.name(replace(mark, growth=None)) for mark in marks]
+    return [*looks, round(RING * inker.frame[0], 2)]
 
 
 def _sketches(shown: Plan | Mapping[str, Large], column: str) -> Mapping[str, Sketch]:

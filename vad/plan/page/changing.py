@@ -205,8 +205,7 @@ def numbers_said(sheet: Sheet, shown: Iterable[Item]) -> dict[str, tuple[Letteri
             item, kinds = last.get(half.full(stroke.name)), [piece.kind for piece in result]
             if item is None or not before or "figure" not in kinds:
                 continue
-            first = kinds.index("figure")
-            end = kinds.index("unit", first) + 1 if "unit" in kinds[first:] else first + 1
+            first, end = figure_of(result)
             line = next(mark.shape for mark in item.marks if mark.alpha == 1.0)
             assert isinstance(line, Lettering)
             hidden = tuple(takewhile(lambda run: not run.shown, line.runs))
@@ -214,6 +213,13 @@ def numbers_said(sheet: Sheet, shown: Iterable[Item]) -> dict[str, tuple[Letteri
             number = Lettering(said(result[first:end]), at, line.size)
             found[half.full(stroke.name)] = number, item.words[0]
     return found
+
+
+def figure_of(pieces: Sequence[TextPiece]) -> tuple[int, int]:
+    """Return where the first figure of some pieces begins, and where it ends, with its unit."""
+    kinds = [piece.kind for piece in pieces]
+    first = kinds.index("figure")
+    return first, kinds.index("unit", first) + 1 if "unit" in kinds[first:] else first + 1
 
 
 def caption_lines(sheet: Sheet, room: float) -> int:
