@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page
 
-from tests.browser import opened
+from tests.browser import opened, until
 from tests.page.lessons import FIRST, LESSON, STROKES, page_of, press, scrub, show
 from vad.page.parts import parts
 
@@ -118,12 +118,21 @@ def test_the_hand_keeps_the_arrangement_of_the_moment(lesson: Page) -> None:
     press(lesson, "Escape")
 
 
-def test_who_wants_no_motion_sees_a_short_fade(browser: Browser, tmp_path: Path) -> None:
+def test_who_wants_no_motion_sees_one_picture_fade_into_another(
+    browser: Browser, tmp_path: Path
+) -> None:
     with opened(browser, reduced_motion="reduce", viewport={"width": 1280, "height": 720}) as page:
         show(page, tmp_path, page_of("slider-crank"), f"#step={FIRST[1]}")
+        before = page.evaluate(_PLACES)["drawings"]
         press(page, "Shift+ArrowRight")
         found = page.evaluate(
-            "() => document.getAnimations().map(({ effect }) => [effect.getTiming().duration,"
-            " effect.getKeyframes().some((each) => 'transform' in each)])"
+            "() => document.getAnimations().map((each) => (each.pause(), each.effect)).map("
+            "(effect) => [effect.getTiming().duration, effect.getKeyframes().some((each) =>"
+            " 'transform' in each), effect.getKeyframes().at(-1).opacity === '0'])"
         )
-        assert found and all(each == [200, False] for each in found)
+        assert found and all(each[:2] == [200, False] for each in found)
+        assert sum(each[2] for each in found) == 1  # what was there fades
+        fading = page.evaluate(_PLACES.replace("document.getAnimations()", "[]"))["drawings"]
+        assert fading[len(before) :] == [each for each in before if high(each)]
+        page.evaluate(_PLACES)
+        until(page, lambda: page.locator(".ghost").count() == 0)

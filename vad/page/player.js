@@ -110,8 +110,9 @@ export function mount(root, data, { address = true } = {}) {
   const all = (selector) => [...root.querySelectorAll(selector)];
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   const over = new AbortController();
-  // Where it is wide, what stands beside the board is always open.
-  const wide = matchMedia("(min-width: 64rem) and (min-height: 35rem)"), rail = one(".rail") ?? one(".steps");
+  // Where it is wide, what stands beside the board is open, unless the drawings need that room.
+  const wide = matchMedia("(min-width: 64rem) and (min-height: 35rem)"), broad = matchMedia("(min-aspect-ratio: 3/2)"), rail = one(".rail") ?? one(".steps");
+  const open = () => wide.matches && (broad.matches || root.matches(".window")) && rail !== one(".steps");
   const scrub = one(".scrub"), status = one("[role=status]"), speed = one(".speed");
   const caption = one(".caption p"), count = one(".count"), dialog = one("dialog");
   const air = flights(root), scene = staging(root, calm), sends = sending(root);
@@ -427,7 +428,7 @@ export function mount(root, data, { address = true } = {}) {
   if (address) on(window, "hashchange", () => { const to = place(location.hash); if (to !== null) seek(to); });
 
   one(".control").hidden = false;
-  unfold(wide.matches && rail !== one(".steps"));
+  unfold(open());
   // How high the dock is, and what stands above it beside two drawings: whichever the second is.
   const own = one(".control"), head = one(".board > header"), sized = new ResizeObserver(() => {
     root.classList.add("sizing");
@@ -444,7 +445,7 @@ export function mount(root, data, { address = true } = {}) {
   measured.observe(ruler);
   root.style.setProperty("--wide", `${ruler.offsetWidth}px`);
   root.classList.add("sized");
-  on(wide, "change", () => unfold(wide.matches && rail !== one(".steps")));
+  on(wide, "change", () => unfold(open()));
   one("[data-do=full]").hidden = !document.fullscreenEnabled;
   one("[data-do=theme]").hidden = !root.dataset.themes?.includes(" ");
   load(data, data.start);

@@ -47,12 +47,31 @@ function staging(root, calm) {
     root.dispatchEvent(new CustomEvent("vad:stage"));
   }
 
+  // Copies of all pictures where they are, which fade: who wants no motion sees one picture become another.
+  function fading(pictures, timing) {
+    const home = document.createElement("div");
+    home.ariaHidden = true;
+    for (const picture of pictures) {
+      const { left, top, width, height } = picture.getBoundingClientRect(), frame = document.createElement("div"), copy = picture.cloneNode(true);
+      if (!width) continue;
+      frame.className = `drawing ghost ${["grand", "small"].filter((each) => picture.closest(`.${each}`)).join(" ")}`;
+      copy.querySelectorAll(".hand, .grip").forEach((each) => each.remove());
+      copy.style.cssText = `position: fixed; left: ${left}px; top: ${top}px; width: ${width}px; height: ${height}px; margin: 0`;
+      frame.append(copy);
+      home.append(frame);
+    }
+    root.append(home);
+    home.animate([{}, { opacity: 0 }], timing).onfinish = () => home.remove();
+  }
+
   // Headings and table, which would cross one another, fade in.
   function to(next, atOnce, seconds) {
     if (!lesson.move.length) next = -1;
     if (next === panel && !atOnce) return draw();
     const { pictures } = lesson, others = [...all(".top, .foot"), ...all(".results")], from = pictures.map(seen);
     [...pictures, ...others].forEach((each) => each.getAnimations().forEach((old) => old.cancel()));
+    const timing = { duration: calm.matches ? 200 : 1000 * seconds, easing: "cubic-bezier(.333,0,.667,1)" };
+    if (calm.matches && !atOnce) fading(pictures, timing);
     panel = next;
     root.classList.toggle("staged", panel >= 0);
     const small = (each, i) => each?.classList.toggle("small", i !== panel);
@@ -60,7 +79,6 @@ function staging(root, calm) {
     all(".results tr").forEach((row) => [...row.children].slice(1).forEach(small));
     draw();
     if (atOnce) return;
-    const timing = { duration: calm.matches ? 200 : 1000 * seconds, easing: "cubic-bezier(.333,0,.667,1)" };
     for (const each of calm.matches ? [...pictures, ...others] : others) each.animate([{ opacity: 0 }, {}], timing);
     if (!calm.matches) pictures.forEach((picture, i) => {
       const { left, top, width } = picture.getBoundingClientRect(), [size, x, y] = from[i], [whole, u, v] = seen(picture, i), part = size / whole;
