@@ -55,7 +55,10 @@ def bundle_of(html: str) -> tuple[str, dict[str, Any], list[str], str, list[str]
     pairs = zip(values[::2], values[1::2], strict=True)
     bits = "".join(f"{91 * high + low:013b}"[::-1] for high, low in pairs)
     data = bytes(int(bits[at : at + 8][::-1], 2) for at in range(0, len(bits), 8))
-    return tuple(json.loads(zlib.decompressobj(-zlib.MAX_WBITS).decompress(data)))
+    script, rules, layers, late, told = json.loads(
+        zlib.decompressobj(-zlib.MAX_WBITS).decompress(data)
+    )
+    return script, told, layers, rules, late
 
 
 #: The lesson that is played, how many strokes it has, and the first of each panel.

@@ -42,15 +42,15 @@ _LATE = (
 _BEGIN = (
     "const packed=JSON.parse(unpack(document.getElementById('data').textContent)),"
     "[style,script]=['style','script'].map((name)=>document.createElement(name));"
-    "style.textContent=packed[3];document.head.append(style);"
+    "style.textContent=packed[1];document.head.append(style);"
     "script.textContent=packed[0];document.body.append(script);"
 )
 _START = (
-    "const root=document.querySelector('.vad'),data=packed[1];"
+    "const root=document.querySelector('.vad'),data=packed[4];"
     # Who likes the dark is shown the board.
     "if(/\\bchalk\\b/.test(root.dataset.themes)&&"
     "matchMedia('(prefers-color-scheme: dark)').matches)root.dataset.theme='chalk';"
-    "root.querySelectorAll('g[data-b]:empty,.control:empty').forEach((each,i)=>each.innerHTML=packed[4][i]);"
+    "root.querySelectorAll('g[data-b]:empty,.control:empty').forEach((each,i)=>each.innerHTML=packed[3][i]);"
     "const svgs=root.querySelectorAll('.drawing svg');"
     "packed[2].forEach((layer,i)=>svgs[i].insertAdjacentHTML('beforeend',layer));"
     "const player=mount(root,data);"
@@ -179,18 +179,29 @@ def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: b
         f"script-src {allowed}; base-uri 'none'; form-action 'none'"
     )
     seen, late = parted(section(lesson, made))
-    bundle = packed(_json([run[1], data, layers, asset("player.css"), late]))
+    looks, others = _used(made.looks, seen)
+    bundle = packed(_json([run[1], others + asset("player.css"), layers, late, data]))
     return (
         f'<!DOCTYPE html>\n<html lang="{lesson.sheet.language}">\n<head>\n<meta charset="utf-8">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         '<meta name="viewport" content="width=device-width,initial-scale=1">\n'
         f"<title>{escape(title(lesson.sheet))}</title>\n"
         f"<style>\n{made.faces.rules()}{asset('page.css')}"
-        f"{colours(lesson.style, len(lesson.sheet.rows))}{made.looks}"
+        f"{colours(lesson.style, len(lesson.sheet.rows))}{looks}"
         f"</style>\n</head>\n<body>\n{seen}"
         f'<script type="text/plain" id="data">{bundle}</script>\n'
         f"<script>{run[0]}</script>\n</body>\n</html>\n"
     )
+
+
+def _used(looks: str, text: str) -> tuple[str, str]:
+    """Return those of some rules whose classes a text has, and the others: one a line."""
+    names = set(re.findall(r' class="(\w+)"', text))
+    sides: tuple[list[str], list[str]] = [], []
+    for rule in looks.splitlines():
+        sides[rule[1 : rule.index("{")] not in names].append(rule)
+    one, other = map("".join, sides)
+    return one, other
 
 
 def section(lesson: Lesson, made: Parts) -> str:

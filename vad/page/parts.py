@@ -164,6 +164,8 @@ def parts(
         )
         + _stepped(lesson, turned, words),
         data={
+            # First, as it is like what is packed before: one is written in terms of the other.
+            "large": [each.data(name, board, inker) for name, each in large.items()],
             "first": first,
             "opens": lesson.opens,
             "panels": [[panel.name, panel.title] for panel in sheet.panels],
@@ -173,7 +175,6 @@ def parts(
             ],
             "answer": _answer(lesson, words),
             "move": move,
-            "large": [each.data(name, board, inker) for name, each in large.items()],
             "flights": page_flights(lesson, board, inker, large),
             "trails": trails(inker),
             "sent": _sent(lesson),
