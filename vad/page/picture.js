@@ -204,9 +204,12 @@ function picture(root, solve, data) {
     data.halves.forEach((half, i) => {
       const large = half[0] === panel, scaled = data.polygons.some((polygon) => polygon.half === i);
       if (scaled) half.splice(1, 4, ...edges[i][+(large && edges[i][1].length > 0)]);
-      else for (const layer of svgs[half[0]].querySelectorAll(".hand, .grip"))
+      else for (const layer of svgs[half[0]].querySelectorAll(".hand, .grip")) {
+        // A rule for [transform] would style the texts of each label that moves anew.
+        layer.classList.toggle("grown", large);
         if (large) layer.setAttribute("transform", `matrix(${factor} 0 0 ${factor} ${shift.join(" ")})`);
         else layer.removeAttribute("transform");
+      }
     });
     sizes.arrange(panel);
     find([]);
