@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from functools import cache
 
+import numpy as np
 import pytest
 
 import vad
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Placed
+from vad.plan.labels.springs import _calm, _smooth
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Mark, Polyline
 from vad.plan.turn_board import NumberedTurn
@@ -122,3 +124,17 @@ def test_a_label_belongs_to_the_dot_of_its_letters():
         assert ends
         assert all(abs(panel.scale(spot) - dot) < 1e-4 for spot in ends)
     assert {label.text for label in panel.labels.names} == {"a, d", "b", "q", "c", "e"}
+
+
+def test_a_way_is_not_smoothed_where_the_label_would_meet_a_stroke():
+    way = np.where(np.arange(120) < 60, 0.0, 0.010) + 0j
+    hops = np.zeros(120, dtype=np.bool_)
+
+    def meets(offsets: np.ndarray) -> np.ndarray:
+        return (offsets.real > 0.002) & (offsets.real < 0.008)
+
+    assert meets(_smooth(way, hops)).any()
+    calm = _calm(way, hops, meets)
+    assert not meets(calm).any()
+    beside = np.abs((np.arange(120) + 30) % 60 - 30)  # poses from the nearest step
+    assert calm[beside > 4] == pytest.approx(_smooth(way, hops)[beside > 4])

@@ -12,7 +12,7 @@ each pose (`Crowd`).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -38,7 +38,7 @@ _CROSSED, _OUTSIDE, _COVERED, _MISREAD, _CLOSE, _ON_WAY = 30.0, 60.0, 40.0, 8.0,
 _PER_CELL = 0.15
 _FAR = np.array([0.0, 0.1, 0.4, 1.0, 2.0, 3.5])
 _STIFF = 0.5  # … for moving on as fast as it may …
-_HOP = 45.0  # … and for a hop.
+_HOP = 30.0  # … and for a hop.
 _APART = (0.020, 0.006)  # between labels, aside and above
 _NEARER = 1.3  # by this factor a label is nearer to its own dot than to any other
 _MET = 2.0 * PIXEL  # so near to a stroke a label is not visible any more
@@ -47,6 +47,10 @@ _BRIEF = 8  # for so few poses between two absences a label does not come back
 _LAPS = 3  # the middle one is free of its beginning and of its end
 _MOVES = [(turn, step) for turn in range(-3, 4) for step in (-1, 0, 1)]
 _SMOOTHING = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
+#: How much a way is smoothed so many poses from one in which the smoothed label would meet
+#: something, and how often that is looked for.
+_EASED = {-2: 2 / 3, -1: 1 / 3, 0: 0.0, 1: 1 / 3, 2: 2 / 3}
+_ROUNDS = 4
 
 CELL = 0.003
 _STEP = 0.7 * CELL  # so close are points along and across a stroke
@@ -129,12 +133,17 @@ def find_spring(
     costs[~seen] = 0.0
     path = _cheapest(costs, *_moves(table))
     hops: Bools = np.abs(table[path] - table[np.roll(path, 1)]) > FASTEST
-    offsets = _smooth(table[path], hops)
-    centres = np.where(seen, dots, among.edge.centre) + offsets
-    met = among.strokes.count(centres[:, None], size, _MET)[:, 0] > 0
-    met |= _covered(centres[:, None], size, placed, (0.0, 0.0))[:, 0]
-    shown = _shown(met & seen)
-    placed.append((np.where(seen & shown, centres, np.nan), size))
+    about = np.where(seen, dots, among.edge.centre)
+
+    def meets(offsets: Complexes) -> Bools:
+        centres = (about + offsets)[:, None]
+        met = among.strokes.count(centres, size, _MET)[:, 0] > 0
+        met |= _covered(centres, size, placed, (0.0, 0.0))[:, 0]
+        return met & seen
+
+    offsets = _calm(table[path], hops, meets)
+    shown = _shown(meets(offsets))
+    placed.append((np.where(seen & shown, about + offsets, np.nan), size))
     return Spring(offsets, shown, hops)
 
 
@@ -238,6 +247,16 @@ def _cheapest(costs: Reals, sources: Ints, prices: Reals) -> Ints:
         path.append(int(source[path[-1]]))
     path.reverse()
     return np.array(path[count : 2 * count])
+
+
+def _calm(offsets: Complexes, hops: Bools, meets: Callable[[Complexes], Bools]) -> Complexes:
+    """Return offsets that are smoothed as far as that lets their label meet nothing."""
+    smooth, share = _smooth(offsets, hops), np.ones(len(offsets))
+    for _ in range(_ROUNDS):
+        met = meets(offsets + share * (smooth - offsets))
+        for shift, most in _EASED.items():
+            share = np.where(np.roll(met, shift), np.minimum(share, most), share)
+    return offsets + share * (smooth - offsets)
 
 
 def _smooth(values: Complexes, hops: Bools) -> Complexes:
