@@ -272,6 +272,16 @@ def test_on_a_narrow_page_views_have_a_wider_column_but_where_they_are_tall():
 
 
 @pytest.mark.parametrize(
+    ("kind", "degrees"), [(vad.HookeJoint, 15.0), (vad.HookeJoint, 165.0), (vad.RSSR, 45.0)]
+)
+def test_on_a_narrow_page_the_senses_of_the_driven_body_have_a_place(kind: type, degrees: float):
+    plan = planned(vad.draw(vad.solve(kind(), angle=degrees)), (960, 720))
+    marks = [m for i in plan.items if i.region == "position" for m in i.marks if m.role == "term"]
+    texts = ["".join(run.text for run in mark.shape.runs) for mark in marks]
+    assert {"ω4", "α4"} <= {text.removeprefix(", ") for text in texts}
+
+
+@pytest.mark.parametrize(
     "kind", [vad.HookeJoint, vad.RSSR, vad.SpatialFourBar, vad.SphericalFourBar]
 )
 def test_the_note_of_a_view_comes_with_its_first_stroke(kind: type):

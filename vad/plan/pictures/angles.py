@@ -148,21 +148,25 @@ def free_place(
     """Return a free place for the arrow of ω, best ahead of a crank that stands at so many degrees.
 
     ``sense`` is ±1, the sense in which it turns, ``name`` what is written beside it, ``largest``
-    the largest radius, ``sizes`` its radii and spans.  None where no place is free.
+    the largest radius, ``sizes`` its radii and spans.  Where all places are on strokes, it is the
+    one that is the least so; None where none is free of labels.
     """
     places = [place for place in _ahead(crank, sense, sizes) if place.radius <= largest]
     letters = [place.letter(centre, name) for place in places]
     spots, first = [letter.centre for letter in letters], letters[0]
     clear = obstacles.free(spots, first.wide, first.high, CLEARANCE, APART)
-    for strict, number in itertools.product((True, False), np.flatnonzero(clear)):
+    crossing: list[tuple[int, SensePlace]] = []
+    for number in np.flatnonzero(clear):
         line = places[number].line(centre)
         if not all(obstacles.edge.holds(point, -0.006) for point in line):
             continue
-        if strict and not obstacles.free(line, 0.0, 0.0, 0.008).all():
+        if not obstacles.clear_of_labels(list(itertools.pairwise(line)), 0.004).all():
             continue
-        if obstacles.clear_of_labels(list(itertools.pairwise(line)), 0.004).all():
+        crossed = int((~obstacles.free(line, 0.0, 0.0, 0.008)).sum())
+        if not crossed:
             return places[number]
-    return None
+        crossing.append((crossed, places[number]))
+    return min(crossing, key=lambda each: each[0], default=(0, None))[1]
 
 
 def least_crossing(obstacles: Obstacles, centre: complex, crank: float, sense: float) -> SensePlace:

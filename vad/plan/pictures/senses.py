@@ -49,6 +49,10 @@ AWAY = tuple(sorted(range(-180, 180, 15), key=abs))
 LETTER = 0.030
 #: From the arrow to its name, and to other strokes.
 NAMED, CLEAR = 0.007, 0.007
+#: From the end of an arrow to a name beyond it.
+END_GAPS = (0.010, 0.018)
+#: So many places of an arrow may lie on strokes that it may cross.
+ACROSS = 2
 #: From the link to the middle of its arrow at most: farther off, nobody would see which it is.
 FARTHEST = 0.080
 #: The cosine between two directions that are seen to be opposite.
@@ -161,17 +165,19 @@ def arrow_near(
     others: Sequence[tuple[complex, complex]] = (),
     ways: list[complex] | None = None,
     pivots: Sequence[complex] = (),
+    thin: float = 0.0,
 ) -> Iterator[Item]:
     """Yield an arrow about an end of one of the bars of a row, and the names that come to it.
 
     It is about one of the fixed ``pivots``, if one of the bars ends there.  It is nearer to the
     bars than to the ``others``, if that can be.  There is none without a free place; ``taken`` are
     the places that are not, and ``ways`` the directions of other arrows of the row, whose sense is
-    the other one.  Its own are added to both.
+    the other one.  Its own are added to both.  It may run across strokes with half widths up to
+    ``thin``, not along them.
     """
     panel, number = sketch.setting.panel, sketch.setting.row(row.key)
     ways = [] if ways is None else ways
-    place = _place(taken, bars, others, sense, ways, pivots)
+    place = _place(taken, bars, others, sense, ways, pivots, thin)
     if place is None:
         return
     ways.append(_way(place.middle, sense.sign))
@@ -206,6 +212,7 @@ def _place(
     sense: Sense,
     ways: Sequence[complex],
     pivots: Sequence[complex],
+    thin: float,
 ) -> _Place | None:
     """Return the nearest place that meets nothing but the link itself; None where none is free.
 
@@ -214,18 +221,19 @@ def _place(
     be, its middle is near its link, and nearer to it than to the ``others``.
     """
     second: dict[tuple[bool, bool], _Place] = {}
-    strange = Obstacles(
-        obstacles.edge,
-        [line for line in obstacles.lines if not any(_along(line, bar) for bar in bars)],
-        obstacles.boxes,
-    )
+    strange = [line for line in obstacles.lines if not any(_along(line, bar) for bar in bars)]
+    thick = Obstacles(obstacles.edge, [each for each in strange if each[2] > thin], obstacles.boxes)
+    light = Obstacles(obstacles.edge, [each for each in strange if each[2] <= thin])
     wide, high = ink_size(symbols(sense.text), LETTER)
     arcs = list(_arcs(bars, sense.sign, pivots))
     centres, radii, spans, middles = (
         np.array(each)[:, np.newaxis] for each in zip(*arcs, strict=True)
     )
     lines = centres + radii * np.exp(1j * np.radians(middles + spans * SHARES))
-    free = strange.free(lines.ravel(), 0.0, 0.0, CLEAR).reshape(lines.shape).all(axis=1)
+    free = thick.free(lines.ravel(), 0.0, 0.0, CLEAR).reshape(lines.shape).all(axis=1)
+    if light.lines:
+        across = ~light.free(lines.ravel(), 0.0, 0.0, light.lines[0][2])
+        free &= across.reshape(lines.shape).sum(axis=1) <= ACROSS
     for found in np.flatnonzero(free).tolist():
         (at, radius, span, middle), line = arcs[found], lines[found].tolist()
         if not obstacles.clear_of_labels([*itertools.pairwise(line)], CLEAR).all():
@@ -233,6 +241,7 @@ def _place(
         own = Obstacles(obstacles.edge)
         own.line(line, 2.0 * PIXEL)
         spots = _names(at, radius, span, middle, wide, high, sense.sign)
+        spots += _ends(at, radius, span, middle, wide, high) if thin else []
         for spot, clear in zip(
             spots, obstacles.free(spots, wide, high, CLEARANCE, APART), strict=True
         ):
@@ -276,6 +285,17 @@ def _names(
     for turn, side in ((0.0, 1), (-0.4, 1), (0.4, 1), (0.0, -1), (-0.4, -1)):
         out = complex(math.cos(a := math.radians(middle + sign * turn * span)), math.sin(a))
         found.append(beside(at + radius * out, side * out, NAMED, wide, high))
+    return found
+
+
+def _ends(
+    at: complex, radius: float, span: float, middle: float, wide: float, high: float
+) -> list[complex]:
+    """Return places of a name beyond the two ends of an arrow."""
+    found = []
+    for side in (-1.0, 1.0):
+        out = cmath.rect(1.0, math.radians(middle + side * span / 2))
+        found += [beside(at + radius * out, side * 1j * out, gap, wide, high) for gap in END_GAPS]
     return found
 
 

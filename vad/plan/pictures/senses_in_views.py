@@ -1,8 +1,8 @@
 """The senses of found rates on a mechanism in space: arc arrows about axes seen as points.
 
-One stands about the arc of the angle that is seen along the axis.  Where no view is along it, an
-arrow with two heads lies along it: by the rule of the right hand its fingers curl in the sense of
-the turn.  Each comes with the stroke of a polygon that finds it, and stays.
+One stands about the arc of the angle that is seen along the axis.  Where no view is along it, or
+there is no room, an arrow with two heads lies along it: by the rule of the right hand its fingers
+curl in the sense of the turn.  Each comes with the stroke of a polygon that finds it, and stays.
 """
 
 from __future__ import annotations
@@ -28,12 +28,16 @@ from vad.plan.pictures.senses import (
     with_names,
 )
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH
+from vad.plan.roles import CONSTRUCTION
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Arc, Arrow, Block, Row
+from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Row
 
-#: The angles that turn about an axis seen as a point, and sleeves on an axis, by their strokes.
+#: The angles that turn about an axis seen as a point, by their strokes.
 ANGLES = ("DC.angle", "Q.angle")
-SLEEVES = ("D.sleeve",)
+#: Axes in true direction, by their rows: a sleeve or bearing on each, and which way it points.
+AXES = {"rocker": ("D.sleeve", 1.0), "driven": ("4.bearing", -1.0)}
+#: The half width of circles and projectors: at last an arrow may cross them.
+THIN = CONSTRUCTION / 2
 #: So long on the page is an arm, at least, about which there is room for an arc arrow.
 LEAST = 0.09
 #: Of an arrow along an axis: its length, and where its middle may be, aside from the axis and
@@ -55,18 +59,24 @@ def senses_in_views(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
         )
         for row in sketch.setting.sheet.rows:
             for sense in senses_of(sketches, row):
-                yield from _about(sketch, taken, row, sense)
-                yield from _along(sketch, taken, row, sense)
+                here = sketch, taken, row, sense
+                ways = _about(*here), _along(*here), _about(*here, thin=THIN)
+                yield from next(filter(None, map(list, ways)), ())
 
 
-def _about(sketch: Sketch, taken: Obstacles, row: Row, sense: Sense) -> Iterator[Item]:
-    """Yield an arc arrow about an axis that is seen as a point, if there is room for it."""
+def _about(
+    sketch: Sketch, taken: Obstacles, row: Row, sense: Sense, thin: float = 0.0
+) -> Iterator[Item]:
+    """Yield an arc arrow about an axis that is seen as a point, if there is room for it.
+
+    It may run across strokes with half widths up to ``thin``.
+    """
     panel = sketch.setting.panel
     names = (*ANGLES, sketch.setting.sheet.driver.angle)
     for stroke in panel.strokes:
         shape = stroke.shape
         if stroke.name in names and stroke.link == row.key and isinstance(shape, Arc):
-            yield from arrow_near(sketch, taken, row, [_arm(sketch, row, shape)], sense)
+            yield from arrow_near(sketch, taken, row, [_arm(sketch, row, shape)], sense, thin=thin)
 
 
 def _arm(sketch: Sketch, row: Row, arc: Arc) -> tuple[complex, complex]:
@@ -82,13 +92,11 @@ def _arm(sketch: Sketch, row: Row, arc: Arc) -> tuple[complex, complex]:
 
 def _along(sketch: Sketch, taken: Obstacles, row: Row, sense: Sense) -> Iterator[Item]:
     """Yield an arrow with two heads along an axis, if there is room for it."""
-    panel = sketch.setting.panel
-    if not any(stroke.link == row.key and stroke.name == "DC.rocker" for stroke in panel.strokes):
-        return
+    panel, (axis, ahead) = sketch.setting.panel, AXES.get(row.key, ("", 0.0))
     wide, high = ink_size(symbols(sense.text), LETTER)
-    for shape in (stroke.shape for stroke in panel.strokes if stroke.name in SLEEVES):
-        assert isinstance(shape, Block)
-        way = sense.sign * shape.direction
+    for shape in (stroke.shape for stroke in panel.strokes if stroke.name == axis):
+        assert isinstance(shape, Block | Bearing)
+        way = sense.sign * ahead * shape.direction
         for (aside, past), left in itertools.product(PLACES, (1j, -1j)):
             at = sketch.scale(shape.at) + past * way + aside * left * way
             start, end = at - LENGTH / 2 * way, at + LENGTH / 2 * way
