@@ -43,7 +43,12 @@ async function pump() {
   if (!timer) root.classList.remove("moving");
 }
 
+// Whether a text was typed after a question, which is asked next.
+const typedSince = (about) => wanted && [...Object.entries(set.parameters), ...Object.entries(set.inputs)]
+  .some(([name, value]) => typeof value === "string" && value !== { ...about.parameters, ...about.inputs }[name]);
+
 function take(about, answer, pose) {
+  if (typedSince(about)) return;
   if (answer.error) return refused(answer.error);
   const moved = stands() && poseNow() !== pose, goal = aside && { ...set.inputs }, play = retry === "play";
   if (answer.layers) {

@@ -145,7 +145,8 @@ function driven(root, solve, data) {
     if (snap) at = clamp(+at.toFixed(Math.max(0, Math.ceil(-Math.log10(snap / 10) - 1e-9))), ...(full(range) ? [-Infinity, Infinity] : range));
     if (!full(range)) for (const end of range) if (Math.abs(at - end) < snap) at = end;
     if (full(range)) [at, wanted] = [within(at), within(wanted)];
-    state[0] = at;
+    const round = +at.toPrecision(13); // as sums of round steps are
+    state[0] = full(range) ? round : clamp(round, ...range);
     show();
   }
 
