@@ -381,7 +381,7 @@ def test_a_picture_is_the_same_at_every_size(scene: str, shape: tuple[int, int])
 @EVERY
 def test_new_results_are_bold_in_a_grid_too(scene: str):
     sheet = lesson(scene).sheet
-    shown = lesson_plan(vad.animate(sheet, size=(800, 640)))
+    shown = lesson_plan(vad.animate(sheet, size=(600, 900)))
     assert not shown.page.columns
     for panel in sheet.halves:
         for stroke in panel.strokes:

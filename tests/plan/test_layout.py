@@ -10,24 +10,35 @@ from itertools import cycle, islice
 import pytest
 
 import vad
+from tests.kinds import KINDS, SPACE
 from tests.plan.overlaps import planned
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
+from vad.plan.board import arrange
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Wish, beside, fan, outward, place
 from vad.plan.labels.vertices import find_vertices
-from vad.plan.layout import GUTTER_GRID, Page, grid_columns, lay_out
+from vad.plan.layout import FLOOR, Content, Page, Told, lay_out
 from vad.plan.marks import Bow, Polygon
-from vad.plan.reach import corners
+from vad.plan.reach import corners, extent
 from vad.plan.scale import fill, scale_bar
 
 PANELS = {"position": 1, "velocity": 1, "acceleration": 1}
 
 
+def contents(lines: dict[str, int]) -> dict[str, Content]:
+    """Return a mechanism twice as wide as high, and polygons, with lines at their feet."""
+    shapes = [2 + 1j, *[0j] * (len(lines) - 1)]
+    return {
+        name: Content([shape], lambda _, told, count=count: count if told else 0)
+        for (name, count), shape in zip(lines.items(), shapes, strict=True)
+    }
+
+
 def laid_out(size: tuple[int, int], panels: dict[str, int] = PANELS, captions: int = 0) -> Page:
-    return lay_out(screen(size), panels, 3, captions)
+    return lay_out(screen(size), contents(panels), 3, captions)
 
 
 def test_three_columns_from_three_to_two_and_two_by_two_below():
@@ -67,7 +78,6 @@ def test_any_number_of_panels_has_room_and_none_overlaps(count: int, size, capti
 
 
 def test_four_panels_and_the_results_stand_in_three_columns_of_a_narrow_page():
-    assert grid_columns(screen((1024, 768)), 5) == 3
     page = laid_out((1024, 768), dict.fromkeys("abcd", 1))
     assert len({place.drawing.left for place in page.panels.values()}) == 3
     assert page.results.left == page.panels["a"].drawing.left
@@ -88,22 +98,53 @@ def test_four_panels_stand_side_by_side_on_a_wide_page(captions: int, lines: int
 
 def test_four_panels_stand_in_a_grid_where_many_rows_would_make_their_pictures_flat():
     form, names = screen((1280, 720)), dict.fromkeys("abcd", 1)
-    assert lay_out(form, names, rows=4, caption_lines=2).columns
-    assert not lay_out(form, names, rows=12, caption_lines=2).columns
+    assert lay_out(form, contents(names), rows=4, caption_lines=2).columns
+    assert not lay_out(form, contents(names), rows=12, caption_lines=2).columns
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
 def test_no_cell_of_a_grid_stays_empty(size: tuple[int, int]):
     for count in range(2, 9):
         page = laid_out(size, dict.fromkeys("abcdefgh"[:count], 1))
-        if page.results:
-            last = [p.drawing for p in page.panels.values() if p.rule == page.results.top]
+        if page.results and not page.columns:
             assert page.results.left == pytest.approx(page.left)
-            right = max([page.results.right, *(each.right for each in last)])
-            assert right == pytest.approx(page.right)
-            assert page.results.width + sum(each.width for each in last) == pytest.approx(
-                page.right - page.left - len(last) * GUTTER_GRID
-            )
+            lowest = {place.drawing.left: place for place in page.panels.values()}
+            tops = [page.results.top, *(p.foot.top for p in page.panels.values() if p.foot)]
+            for left, place in lowest.items():
+                end = max(tops) if left < page.results.right else FLOOR
+                assert place.region.bottom - end < 0.03
+            rights = [page.results.right, *(each.drawing.right for each in lowest.values())]
+            assert max(rights) == pytest.approx(page.right)
+
+
+@pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
+def test_drawings_are_large_on_a_narrow_page(kind: type[vad.Mechanism]):
+    form, sheet = screen((960, 720)), vad.draw(vad.solve(kind()))
+    page, _ = arrange(sheet, form, 0)
+    drawings = {name: place.drawing for name, place in page.panels.items()}
+    share = sum(each.width * each.height for each in drawings.values()) / form.width / form.height
+    assert share > (0.38 if kind in SPACE.values() else 0.39)
+    for panel in sheet.panels:
+        room = drawings[panel.name]
+        assert min(room.width, room.height) > 0.29
+        if panel.picture == "skeleton":
+            points = corners(panel)
+            extended = extent(points) * fill(points, room, position=True).factor
+            assert max(extended.real, extended.imag) > 0.25
+
+
+def test_a_narrow_still_leaves_out_equations_only_for_larger_drawings():
+    form = screen((960, 720))
+    few, many = (lay_out(form, contents(dict.fromkeys("abc", n)), 3, 0) for n in (1, 5))
+    assert (few.told, many.told) == (Told.TOGETHER, Told.NOWHERE)
+    (first, *_), (larger, *_) = (list(page.panels.values()) for page in (few, many))
+    assert larger.drawing.height > first.drawing.height + 0.1
+    feet = [place.foot for place in few.panels.values()]
+    assert [foot.top for foot in feet[1:]] == pytest.approx([foot.bottom for foot in feet[:-1]])
+    assert feet[-1].bottom == pytest.approx(few.results.top)
+    assert feet[0].top <= first.drawing.bottom
+    lesson = lay_out(form, contents(dict.fromkeys("abc", 5)), 3, 2)
+    assert lesson.told is Told.FEET
 
 
 def test_a_page_is_the_same_at_every_size():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from threading import Thread
 
 import pytest
@@ -10,8 +11,8 @@ import vad
 from vad.files.examples import example_path
 from vad.lecture.telling import told, told_together
 from vad.painting.shapes import outline
+from vad.plan.board import arrange
 from vad.plan.format import screen
-from vad.plan.layout import lay_out
 from vad.plan.lettering.glyphs import _font, fitted, typeset, width
 from vad.plan.lettering.runs import Run, roman, said, symbols
 from vad.plan.lettering.wrapping import wrap
@@ -64,8 +65,8 @@ def test_fixed_text_says_itself_what_is_a_symbol(code: str):
 
 def test_a_caption_keeps_off_its_number():
     sheet = vad.draw(vad.solve(vad.load(example_path("leg-from-coordinates"))()))
-    page = lay_out(screen((1280, 720)), {"acceleration": 1}, 3, 2)
     panel = sheet.panels[2]
+    page, _ = arrange(replace(sheet, panels=(panel,)), screen((1280, 720)), 2)
     most = len(panel.strokes)
     for first, last in told_together(panel):
         number = count_mark(first + 1, last + 1, most, page).shape

@@ -99,7 +99,7 @@ def posed(
         several = MultiplesBoard(thing, form)
         return Posed(several, Moment(0), look, thing.sheets[0], thing.sheets[1:])
     left = {} if blank is None else blank_panels(thing, blank)
-    board = plan(thing, form, look.key)
+    board = plan(thing, form, look.key, tasked=bool(left) and own is not None)
     if left:
         board = problem(board, left, look.key, own)
     strokes = {**{half.name: half.strokes for half in thing.halves}, **left}

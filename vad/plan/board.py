@@ -28,16 +28,7 @@ from vad.plan.items import (
     head_of,
     in_painting_order,
 )
-from vad.plan.layout import (
-    MARGIN,
-    OVERLAP,
-    TALL_VIEWS_SHARE,
-    VIEWS_SHARE,
-    Page,
-    beside,
-    lay_out,
-    rooms,
-)
+from vad.plan.layout import MARGIN, OVERLAP, Content, Page, Told, beside, lay_out, rooms
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline, Wandering
 from vad.plan.page.changing import (
@@ -57,8 +48,8 @@ from vad.plan.pictures.found import found_later
 from vad.plan.pictures.senses import found_senses
 from vad.plan.pictures.senses_in_views import senses_in_views
 from vad.plan.pictures.views import folds
-from vad.plan.reach import corners
-from vad.plan.scale import Scale, is_tall
+from vad.plan.reach import corners, extent
+from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Panel, Sheet
 from vad.strokes.telling import telling
@@ -143,6 +134,7 @@ def plan(
     scales: Mapping[str, Scale] = MappingProxyType({}),
     words: bool = True,
     travels: Mapping[str, Travel] | None = None,
+    tasked: bool = False,
 ) -> Plan:
     """Return the plan of a sheet.
 
@@ -164,10 +156,12 @@ def plan(
         False if the words around the pictures are written elsewhere: in a page of HTML.
     travels
         What flies from panel to panel in a film; None where nothing does.
+    tasked
+        Whether a problem is made of it, whose task stands where its equations stand.
     """
     if lines is None:
         lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
-    page, feet = arrange(sheet, form, lines)
+    page, feet = arrange(sheet, form, lines, tasked)
     sketches: dict[str, Sketch] = {}
     for panel in sheet.panels:
         sketches |= column(sheet, panel, page.panels[panel.name].drawing, form, scales)
@@ -227,33 +221,33 @@ def pictures(
     yield from turned_polygons(sketches, flights=travels is not None)
 
 
-def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:
+def arrange(
+    sheet: Sheet, form: Format, caption_lines: int, at_feet: bool = False
+) -> tuple[Page, dict[str, Foot]]:
     """Return the page of a sheet, and the equations at the feet of its panels.
 
     On paper there is room below them for what is measured.
     """
-    names, rows = [panel.name for panel in sheet.panels], len(sheet.rows)
-    tall = next(
-        (p.name for p in sheet.panels if p.picture == "skeleton" and is_tall(corners(p))), ""
-    )
-    shares = [
-        TALL_VIEWS_SHARE if is_tall(corners(panel)) else VIEWS_SHARE
-        for panel in sheet.panels
-        if panel.picture == "views"
-    ]
-    views = max(shares, default=0.0)
-    # A first layout tells the panels' width, the second knows how many lines they need.
+    names = [panel.name for panel in sheet.panels]
+    contents = {panel.name: _content(panel, bool(form.centimetre)) for panel in sheet.panels}
     high = heights(sheet.rows, names)
-    first = lay_out(form, dict.fromkeys(names, 1), rows, caption_lines, tall, high, views)
-    feet = {
-        panel.name: compose(panel, first.panels[panel.name].drawing.width) for panel in sheet.panels
-    }
-    lines = {name: foot.count for name, foot in feet.items()}
-    if form.centimetre:
-        for panel in sheet.panels:
-            room = first.panels[panel.name].drawing.width
-            lines[panel.name] += sum(lines_of(half, room) for half in panel.halves)
-    return lay_out(form, lines, rows, caption_lines, tall, high, views), feet
+    page = lay_out(form, contents, len(sheet.rows), caption_lines, high, at_feet)
+    told, feet = page.told is not Told.NOWHERE, {}
+    for panel in sheet.panels:
+        place = page.panels[panel.name]
+        feet[panel.name] = compose(panel, (place.foot or place.drawing).width, told)
+    return page, feet
+
+
+def _content(panel: Panel, on_paper: bool) -> Content:
+    """Return what a panel has to show; on paper there are measured vectors at its foot."""
+
+    def lines(room: float, told: bool) -> int:
+        read = sum(lines_of(half, room) for half in panel.halves) if on_paper else 0
+        return compose(panel, room, told).count + read
+
+    shapes = [0j if h.picture == "vectors" else extent(corners(h)) for h in panel.halves]
+    return Content(shapes, lines, panel.picture == "views")
 
 
 def rows_of(sheet: Sheet) -> dict[str, int]:
@@ -273,7 +267,8 @@ def regions_of(page: Page) -> dict[str, Rect]:
     for name, place in page.panels.items():
         whole, drawing = place.region, place.drawing
         regions[head_of(name)] = Rect(whole.left, drawing.top, whole.right, whole.top)
-        regions[foot_of(name)] = Rect(whole.left, whole.bottom, whole.right, drawing.bottom)
+        below = Rect(whole.left, whole.bottom, whole.right, drawing.bottom)
+        regions[foot_of(name)] = place.foot or below
     if page.results:
         area = page.results
         regions[RESULTS] = Rect(

@@ -17,6 +17,9 @@ _PAPER_UNIT = 300.0
 #: Printers leave the edge white: the board's own margin begins this far from it.
 _PAPER_EDGE = 0.5 * _CENTIMETRE
 
+#: Three panels stand side by side on a page of this shape: its width over its height.
+NARROW = 1.5
+
 _LANDSCAPE = {"A4": (297.0, 210.0), "A3": (420.0, 297.0), "letter": (279.4, 215.9)}
 _MILLIMETRES = {
     **_LANDSCAPE,
@@ -45,6 +48,11 @@ class Format:
     unit: float
     edge: float = 0.0
     centimetre: float | None = None
+
+    @property
+    def narrow(self) -> bool:
+        """Whether three panels have less room side by side than they need."""
+        return self.width < NARROW * self.height
 
     @property
     def whole(self) -> float:

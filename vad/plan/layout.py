@@ -1,20 +1,23 @@
 """Layout of the page: where title, panels, equations, results and captions go.
 
-The format of the page, and the counts of what needs room, give rectangles and baselines.  On the
-page of a turn each panel has its picture and its own curve; two polygons may share a column.
+The format of the page, and what each panel has to show, give rectangles and baselines.  Of several
+arrangements a narrow page takes the one in which the least drawing is largest.  Two polygons may
+share a column.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from enum import Enum
+from statistics import harmonic_mean
 from typing import NamedTuple
 
 from vad.errors import UsageError
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
-from vad.plan.items import TITLE, curve_of, head_of
 from vad.plan.reach import kennedy_circle
+from vad.plan.scale import padded
 from vad.strokes.sheet import Panel
 
 MARGIN = 0.05
@@ -28,6 +31,7 @@ ALONE = "drive"
 #: What two of four columns take of an equal share: the first one, below which the names of the rows
 #: stand, and that of the driven body alone.
 FIRST_SHARE, ALONE_SHARE = 1.1, 0.9
+TALL = 1.5  # height over width
 #: What the views of a mechanism in space take of an equal share, where columns are narrow; tall
 #: ones, which fill the height, take less: only their notes stand beside them.
 VIEWS_SHARE, TALL_VIEWS_SHARE = 1.20, 1.06
@@ -36,21 +40,20 @@ BESIDE_SLENDER = 0.40
 ROW_PITCH = 0.040
 EQUATION_PITCH = 0.043
 CAPTION_PITCH = 0.046
+BELOW_LINE = 0.012  # from the baseline of a line of a panel's foot to its end
+UNDER_RULE = 0.040  # from a rule to the baseline of the line above it
 SMALLEST_DRAWING = 0.05
-#: A table in a grid with less than this share of its height cannot be read.  Panels then stand side
-#: by side, if their drawings have sides of this length at least.
-TIGHT, LEAST_BESIDE = 0.7, 0.2
+#: A still has its equations where they leave drawings this large, or as large as without them.
+ENOUGH = 0.25
+FLAT = 2.25  # width over height
+#: Equations below the first drawing leave it so much of the height of any other.
+LEVEL = 0.95
+#: Of its full height, what a table takes at least; in a grid, of the height of the page, what it
+#: has in full.
+SQUEEZE, TABLE_SHARE = 0.8, 0.3
 FLOOR = 0.051  # the lowest baseline where there is no caption
 TOP_RULE = 0.115  # below the top
 TITLE_BASELINE = 0.075  # below the top
-TURN_HEAD = 0.055  # from a panel's rule to its picture
-#: Of the page's height, for the curve itself; on a narrow page pictures need less of it.
-CURVE_SHARE, NARROW_CURVE_SHARE, NARROW = 0.17, 0.25, 1.5
-CURVE_WORDS = 0.115  # above and below it
-TURN_FLOOR = 0.022
-BESIDE = 0.46  # of a row's width, for the curve beside a picture
-HIGHEST = 0.50  # a curve beside a picture is no higher than that share of its width
-LOWEST = 0.05  # a curve that is less high cannot be read
 #: Of the height: the room of the lower polygon, which bears its own scale.
 LOWER = 0.5
 #: The labels below the upper polygon and above the lower one share so much of the height.
@@ -60,11 +63,18 @@ OVERLAP = 0.045
 CIRCLE_WIDE, CIRCLE_HIGH = 0.36, 0.40
 
 
+class Told(Enum):
+    """Where equations stand: at the feet of their panels, all at that of the first, or nowhere."""
+
+    FEET, TOGETHER, NOWHERE = range(3)
+
+
 @dataclass(frozen=True, slots=True)
 class PanelPlace:
     """Where one panel stands: its rule and title, its drawing, its equation lines.
 
-    ``region`` is all that belongs to it, to the middle of the gutters.
+    ``region`` is all that belongs to it, to the middle of the gutters, but for equations that stand
+    at another ``foot``.
     """
 
     rule: float
@@ -72,6 +82,7 @@ class PanelPlace:
     drawing: Rect
     equations: tuple[float, ...]
     region: Rect
+    foot: Rect | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,6 +102,8 @@ class Page:
         The place that holds the results table (always in a grid).
     captions
         Baselines of the caption's lines, none in a still.
+    told
+        Where the equations stand.
     """
 
     width: float
@@ -102,6 +115,7 @@ class Page:
     hairline: float
     results: Rect | None
     captions: tuple[float, ...]
+    told: Told = Told.FEET
 
     @property
     def left(self) -> float:
@@ -125,28 +139,53 @@ class Table(NamedTuple):
     many: bool
 
 
-NO_TABLE = Table(0.0, 0.0, False)
+#: A table of a few rows.
+SOME_TABLE = Table(0.25, 0.0, False)
+
+#: An arrangement of panels, for a place of their equations.
+Way = Callable[[Told], Page]
+
+
+class Content(NamedTuple):
+    """What a panel has to show.
+
+    Attributes
+    ----------
+    shapes
+        Width and height, as real and imaginary part, of each of the pictures that stand one above
+        the other in it; 0 for one that may turn any way, as polygons do.
+    lines
+        For a width, and whether equations are told, how many lines stand at its foot.
+    views
+        Whether it shows a mechanism in space.
+    """
+
+    shapes: Sequence[complex]
+    lines: Callable[[float, bool], int]
+    views: bool = False
+
+    @property
+    def tall(self) -> bool:
+        """Whether it needs clearly more height than width."""
+        return any(shape.imag > TALL * shape.real for shape in self.shapes)
 
 
 def lay_out(
     form: Format,
-    equations: dict[str, int],
+    contents: Mapping[str, Content],
     rows: int,
     caption_lines: int,
-    tall: str = "",
-    table: Table = NO_TABLE,
-    views: float = 0.0,
+    table: Table = SOME_TABLE,
+    at_feet: bool = False,
 ) -> Page:
-    """Return the page for the panels named in ``equations`` (their numbers of foot lines).
+    """Return the page for some panels.
 
-    Beneath panels side by side the results take a line a row, or many of them two halves.
-
-    Panels stand side by side if that leaves them wide enough, or if the cell of a grid is too low
-    for the results, else in a grid.  One that is
-    ``tall`` needs little width, and so stands beside the others on a narrower page, too.  Four
-    panels, and those of a mechanism in ``views``, which stand one above the other, stand side by
-    side where that makes their shortest side longer than a grid does; ``views`` is the share of an
-    equal column that these take there, 0 for a mechanism in the plane.
+    Panels stand side by side if that leaves them wide enough, with the results beneath in a line a
+    row, or many of them in two halves.  Else they stand side by side or in a grid, with the results
+    at the foot of its first columns, where in a still all equations may stand, too.  There no
+    picture may be flat, all have to be large enough, and then as large as can be: the smallest one,
+    or on a narrow page their harmonic mean.  A still on a narrow screen leaves out the equations if
+    that makes the smallest larger, unless they have to stand ``at_feet`` of their panels.
 
     Raises
     ------
@@ -154,30 +193,37 @@ def lay_out(
         If they have no room.
     """
 
-    def row(widths: list[float], lines: dict[str, int], tight: bool = False) -> Page:
-        block = table.halves if table.many or tight else 0.0
-        return _side_by_side(form, lines, widths, rows, caption_lines, block)
+    def beside(widths: list[float], block: float) -> Way:
+        return lambda told: _side_by_side(form, contents, widths, rows, caption_lines, block, told)
 
-    widths = _columns(form, list(equations), tall)
-    narrow = _four_columns(form, list(equations)) if not widths else []
-    if narrow:
-        # The lines of equations decide nothing: how many there are follows from the width.
-        one = dict.fromkeys(equations, 1)
-        widths = (
-            narrow if _least(row(narrow, one)) > _least(_grid(form, one, caption_lines)) else []
-        )
-    page = row(widths, equations) if widths else _grid(form, equations, caption_lines)
-    if not page.columns and page.results:
-        room, count = _equal(form, len(equations)), len(equations)
-        if views and count > 1:
-            more = (views - 1.0) * room[0]
-            room = [room[0] + more, *(each - more / (count - 1) for each in room[1:])]
-        beside = row(room, equations, tight=True)
-        tight = page.results.height < TIGHT * table.whole and _least(beside) >= LEAST_BESIDE
-        page = beside if tight or (views and _least(beside) > _least(page)) else page
-    if _least(page) < SMALLEST_DRAWING:
+    def grid(across: int) -> Way:
+        return lambda told: _grid(form, contents, across, caption_lines, table, told)
+
+    equal, most = _equal(form, len(contents)), table.halves if table.many else 0.0
+    columns, grids = [beside(equal, most)], list[Way]()
+    if not _wide(form, len(contents)):
+        unequal = [beside(widths, most) for widths in _unequal(form, contents)]
+        columns = unequal or [beside(_with_views(equal, contents), table.halves)]
+        # Views stand one above the other, and so need the height of a page that lies.
+        upright = form.height > form.width or not any(each.views for each in contents.values())
+        grids = [grid(across) for across in range(1, len(contents))] if upright else []
+    told, bare = [way(Told.FEET) for way in columns + grids], list[Page]()
+    if form.narrow and not (form.centimetre or caption_lines or at_feet):
+        movable = all(content.lines(form.width, False) == 0 for content in contents.values())
+        together = [way(Told.TOGETHER) for way in grids if movable]
+        told += [page for page in together if _is_level(page)]
+        bare += [way(Told.NOWHERE) for way in columns + grids]
+    mean = harmonic_mean if form.narrow else min
+
+    def worth(page: Page) -> tuple[bool, float, float]:
+        sizes = _sizes(page, contents)
+        return not _is_flat(page), min(ENOUGH, *sizes), mean(sizes)
+
+    best = [max(pages, key=worth) for pages in (told, bare) if pages]
+    page = max(best, key=lambda page: worth(page)[:2])
+    if least_side(page) < SMALLEST_DRAWING:
         raise UsageError(
-            f"the page has no room for {len(equations)} panels with {rows} rows of results and "
+            f"the page has no room for {len(contents)} panels with {rows} rows of results and "
             f"captions of {caption_lines} lines",
             hint="draw fewer panels",
         )
@@ -189,29 +235,71 @@ def _equal(form: Format, count: int) -> list[float]:
     return [(form.width - 2 * MARGIN - (count - 1) * GUTTER) / count] * count
 
 
-def _columns(form: Format, names: list[str], tall: str) -> list[float]:
-    """Return the widths of columns side by side, none where they would be too narrow."""
-    count, gaps = len(names), 2 * MARGIN + (len(names) - 1) * GUTTER
-    if (form.width - gaps * form.whole) / count >= NARROWEST_COLUMN * form.whole:
-        return _equal(form, count)
-    landscape = form.height <= 1.0 and tall in names and count > 1
-    rest = (form.width - gaps - SLENDER_COLUMN) / (count - 1) if landscape else 0.0
-    if rest < BESIDE_SLENDER:
-        return []
-    return [SLENDER_COLUMN if name == tall else rest for name in names]
+def _wide(form: Format, count: int) -> bool:
+    """Tell whether a page is wide enough for so many columns."""
+    gaps = 2 * MARGIN + (count - 1) * GUTTER
+    return (form.width - gaps * form.whole) / count >= NARROWEST_COLUMN * form.whole
 
 
-def _four_columns(form: Format, names: Sequence[str]) -> list[float]:
-    """Return the widths of four columns, none for fewer of them or where they are too narrow."""
-    room = (form.width - 2 * MARGIN - (len(names) - 1) * GUTTER) / len(names)
-    if len(names) < 4 or room < NARROWEST_OF_FOUR * form.whole:
-        return []
-    shares = [ALONE_SHARE if name == ALONE else 1.0 for name in names]
-    shares[0] = FIRST_SHARE
-    return [room * len(names) * share / sum(shares) for share in shares]
+def _with_views(equal: list[float], contents: Mapping[str, Content]) -> list[float]:
+    """Return widths of columns in which views have more than the others."""
+    own = [TALL_VIEWS_SHARE if each.tall else VIEWS_SHARE for each in contents.values()]
+    more = [
+        share - 1.0 if each.views else 0.0
+        for share, each in zip(own, contents.values(), strict=True)
+    ]
+    less = sum(more) / max(1, more.count(0.0))
+    return [
+        room * (1.0 + each if each else 1.0 - less) for room, each in zip(equal, more, strict=True)
+    ]
 
 
-def _least(page: Page) -> float:
+def _unequal(form: Format, contents: Mapping[str, Content]) -> Iterator[list[float]]:
+    """Yield the widths of columns for panels that do not need the same."""
+    names, count = list(contents), len(contents)
+    room = form.width - 2 * MARGIN - (count - 1) * GUTTER
+    if count >= 4 and room / count >= NARROWEST_OF_FOUR * form.whole:
+        shares = [ALONE_SHARE if name == ALONE else 1.0 for name in names]
+        shares[0] = FIRST_SHARE
+        yield [room * share / sum(shares) for share in shares]
+    tall = [name for name, each in contents.items() if each.tall and not each.views]
+    if len(tall) == 1 and count > 1 and form.height <= 1.0:
+        rest = (room - SLENDER_COLUMN) / (count - 1)
+        if rest >= BESIDE_SLENDER:
+            yield [SLENDER_COLUMN if name in tall else rest for name in names]
+
+
+def _sizes(page: Page, contents: Mapping[str, Content]) -> list[float]:
+    """Return how large all pictures are drawn: both sides of the room of one that may turn.
+
+    For the picture of a mechanism it is its longer side, twice.
+    """
+    sizes: list[float] = []
+    for name, content in contents.items():
+        drawing, count = page.panels[name].drawing, len(content.shapes)
+        room = replace(drawing, top=drawing.bottom + drawing.height / count)
+        for shape in content.shapes:
+            inner = padded(room, position=bool(shape))
+            sides = [(inner.width, shape.real), (inner.height, shape.imag)]
+            factor = min((has / needs for has, needs in sides if needs), default=0.0)
+            longest = max(shape.real, shape.imag)
+            sizes += [factor * longest] * 2 if shape else [inner.width, inner.height]
+    return [max(0.0, size) for size in sizes]
+
+
+def _is_level(page: Page) -> bool:
+    """Tell whether the first drawing is about as high as any other."""
+    first, *others = (place.drawing.height for place in page.panels.values())
+    return all(first >= LEVEL * other for other in others)
+
+
+def _is_flat(page: Page) -> bool:
+    """Tell whether a drawing has so little height that a polygon fills it only if it lies."""
+    drawings = [place.drawing for place in page.panels.values()]
+    return any(drawing.width > FLAT * drawing.height for drawing in drawings)
+
+
+def least_side(page: Page) -> float:
     """Return the shortest side of all drawings of a page."""
     drawings = [place.drawing for place in page.panels.values()]
     return min(min(drawing.width, drawing.height) for drawing in drawings)
@@ -225,29 +313,33 @@ def caption_baselines(lines: int) -> tuple[float, ...]:
 def _place(
     left: float, right: float, rule: float, lowest: float, lines: int, gap: float
 ) -> PanelPlace:
-    """Return the place of a panel whose last equation line stands at ``lowest``."""
+    """Return the place of a panel whose last line at its foot stands at ``lowest``."""
     foot = tuple(lowest + EQUATION_PITCH * (lines - 1 - i) for i in range(lines))
+    low = lowest - BELOW_LINE
     title = rule - 0.040
-    drawing = Rect(left, max(foot) + 0.034, right, title - 0.015)
-    region = Rect(left - gap / 2, min(foot) - 0.012, right + gap / 2, rule + 0.006)
+    drawing = Rect(left, foot[0] + 0.034 if foot else low, right, title - 0.015)
+    region = Rect(left - gap / 2, low, right + gap / 2, rule + 0.006)
     return PanelPlace(rule, title, drawing, foot, region)
 
 
 def _side_by_side(
     form: Format,
-    equations: dict[str, int],
+    contents: Mapping[str, Content],
     widths: list[float],
     rows: int,
     caption_lines: int,
     block: float,
+    told: Told,
 ) -> Page:
+    """Return a page with its panels side by side, and the results beneath."""
     last = FLOOR if not caption_lines else 0.111 + CAPTION_PITCH * (caption_lines - 1)
     baselines = tuple(last + ROW_PITCH * (rows - 1 - i) for i in range(rows))
     hairline = last + block if block else (baselines[0] if rows else last) + 0.034
     panels: dict[str, PanelPlace] = {}
     left, rule = MARGIN, form.height - TOP_RULE
-    for (name, lines), room in zip(equations.items(), widths, strict=True):
-        panels[name] = _place(left, left + room, rule, hairline + 0.030, max(lines, 1), GUTTER)
+    for (name, content), room in zip(contents.items(), widths, strict=True):
+        lines = max(content.lines(room, told is Told.FEET), told is Told.FEET)
+        panels[name] = _place(left, left + room, rule, hairline + 0.030, lines, GUTTER)
         left += room + GUTTER
     return Page(
         form.width,
@@ -259,30 +351,46 @@ def _side_by_side(
         hairline=hairline,
         results=Rect(MARGIN, last - 0.012, form.width - MARGIN, hairline) if block else None,
         captions=caption_baselines(caption_lines),
+        told=told,
     )
 
 
-def _grid(form: Format, equations: dict[str, int], caption_lines: int) -> Page:
-    """Return a page with its panels in rows; the results open the last row."""
-    across = grid_columns(form, len(equations) + 1)
-    down = -(-(len(equations) + 1) // across)
+def _grid(
+    form: Format,
+    contents: Mapping[str, Content],
+    across: int,
+    caption_lines: int,
+    table: Table,
+    told: Told,
+) -> Page:
+    """Return a page with its panels in rows; the results stand at the foot of the first columns.
+
+    There they take the height that they need, and the other columns are divided equally.
+    """
+    down = -(-(len(contents) + 1) // across)
     room = (form.width - 2 * MARGIN - (across - 1) * GUTTER_GRID) / across
     floor = FLOOR if not caption_lines else 0.103 + CAPTION_PITCH * (caption_lines - 1)
     first = form.height - TOP_RULE
-    # Captions take from all rows alike; the last row, with the results, is a little taller.
-    pitch = (first - floor) / down - 0.010
-    rules = [first - row * pitch for row in range(down)]
-    lefts = [MARGIN + index * (room + GUTTER_GRID) for index in range(across)]
-    cells = [(row, column) for row in range(down) for column in range(across)]
-    # The results have all that is left over, from the last row's first cell on.
-    spare = len(cells) - len(equations)
-    home = (down - 1) * across
-    del cells[home : home + spare]
+    lefts = [MARGIN + column * (room + GUTTER_GRID) for column in range(across)]
+    below = across * down - len(contents)  # so many columns have the results at their foot
+    most = min(table.whole, TABLE_SHARE * (first - floor))
+    top = floor + max(SQUEEZE * table.whole, most) if down > 1 else first
+    results = Rect(lefts[0], floor, lefts[below - 1] + room, top)
+    feet = _together(contents, results) if told is Told.TOGETHER else {}
+    block = max((foot.top for foot, _ in feet.values()), default=top)
     panels: dict[str, PanelPlace] = {}
-    for (name, lines), (row, column) in zip(equations.items(), cells, strict=False):
-        lowest = rules[row + 1] + 0.040 if row + 1 < down else floor
-        left = lefts[column]
-        panels[name] = _place(left, left + room, rules[row], lowest, max(lines, 1), GUTTER_GRID)
+    for number, (name, content) in enumerate(contents.items()):
+        # In the last row, panels stand to the right of the results.
+        row, column = divmod(number if number < across * (down - 1) else number + below, across)
+        low, count = (block, down - 1) if column < below else (floor - UNDER_RULE, down)
+        pitch = (first - low) / count
+        rule, left = first - row * pitch, lefts[column]
+        lines = content.lines(room, told is Told.FEET)
+        place = _place(left, left + room, rule, rule - pitch + UNDER_RULE, lines, GUTTER_GRID)
+        if feet:
+            foot, baselines = feet[name]
+            place = replace(place, equations=baselines, foot=foot)
+        panels[name] = place
     return Page(
         form.width,
         form.height,
@@ -291,111 +399,24 @@ def _grid(form: Format, equations: dict[str, int], caption_lines: int) -> Page:
         panels=panels,
         rows=(),
         hairline=0.0,
-        results=Rect(lefts[0], floor, lefts[spare - 1] + room, rules[-1]),
+        results=results,
         captions=caption_baselines(caption_lines),
+        told=told,
     )
 
 
-def grid_columns(form: Format, cells: int) -> int:
-    """Return how many columns make the cells of a grid most nearly 4 : 3."""
-
-    def badness(across: int) -> float:
-        down = -(-cells // across)
-        shape = (form.width / across) / ((form.height - TOP_RULE) / down)
-        return max(shape / (4 / 3), (4 / 3) / shape)
-
-    return min(range(1, cells + 1), key=badness)
-
-
-@dataclass(frozen=True, slots=True)
-class TurnPage:
-    """Where everything stands: the page with the pictures, and the place of each curve."""
-
-    page: Page
-    charts: dict[str, Rect]
-
-    @property
-    def regions(self) -> dict[str, Rect]:
-        """The parts of the page that change on their own, in painting order."""
-        page = self.page
-        regions = {TITLE: Rect(0.0, page.title - 0.02, page.width, page.height)}
-        for name, place in page.panels.items():
-            whole, drawing, chart = place.region, place.drawing, self.charts[name]
-            aside = (whole.width - drawing.width) / 2
-            regions[head_of(name)] = Rect(whole.left, drawing.top, whole.right, whole.top)
-            regions[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)
-            regions[curve_of(name)] = Rect(
-                chart.left - aside, chart.bottom, chart.right + aside, chart.top
-            )
-        return regions
-
-
-def lay_out_turn(form: Format, names: Sequence[str]) -> TurnPage:
-    """Return the page: panels side by side above their curves, on a tall page in rows.
-
-    Raises
-    ------
-    vad.errors.UsageError
-        If the panels have no room.
-    """
-    build = _columns_of_turn if form.width >= form.height else _rows_of_turn
-    panels, charts = build(form, names)
-    page = Page(
-        form.width,
-        form.height,
-        columns=True,
-        title=form.height - TITLE_BASELINE,
-        panels=panels,
-        rows=(),
-        hairline=0.0,
-        results=None,
-        captions=(),
-    )
-    least = _least(page)
-    lowest = min(chart.height for chart in charts.values()) - CURVE_WORDS
-    if least < SMALLEST_DRAWING or lowest < LOWEST:
-        raise UsageError(
-            f"the page has no room for the curves of {len(names)} panels", hint="draw fewer panels"
-        )
-    return TurnPage(page, charts)
-
-
-Places = tuple[dict[str, PanelPlace], dict[str, Rect]]
-
-
-def _columns_of_turn(form: Format, names: Sequence[str]) -> Places:
-    room = (form.width - 2 * MARGIN - (len(names) - 1) * GUTTER) / len(names)
-    share = CURVE_SHARE if form.width >= NARROW * form.height else NARROW_CURVE_SHARE
-    rule, high = form.height - TOP_RULE, share * form.height + CURVE_WORDS
-    panels, charts = {}, {}
-    for index, name in enumerate(names):
-        left = MARGIN + index * (room + GUTTER)
-        charts[name] = Rect(left, TURN_FLOOR, left + room, TURN_FLOOR + high)
-        panels[name] = _place_of_turn(left, left + room, rule, TURN_FLOOR + high)
-    return panels, charts
-
-
-def _rows_of_turn(form: Format, names: Sequence[str]) -> Places:
-    room = form.width - 2 * MARGIN
-    high = (form.height - TOP_RULE - TURN_FLOOR) / len(names)
-    panels, charts = {}, {}
-    for index, name in enumerate(names):
-        rule = form.height - TOP_RULE - index * high
-        middle = MARGIN + (1.0 - BESIDE) * room
-        top = rule - TURN_HEAD - 0.01
-        low = max(rule - high + GUTTER, top - CURVE_WORDS - HIGHEST * BESIDE * room)
-        charts[name] = Rect(middle + GUTTER, low, form.width - MARGIN, top)
-        place = _place_of_turn(MARGIN, form.width - MARGIN, rule, rule - high + 0.01)
-        picture = Rect(MARGIN, place.drawing.bottom, middle, place.drawing.top)
-        region = Rect(MARGIN - GUTTER / 2, picture.bottom, middle + GUTTER / 2, rule + 0.006)
-        panels[name] = PanelPlace(rule, place.title, picture, (), region)
-    return panels, charts
-
-
-def _place_of_turn(left: float, right: float, rule: float, bottom: float) -> PanelPlace:
-    drawing = Rect(left, bottom, right, rule - TURN_HEAD)
-    region = Rect(left - GUTTER / 2, bottom, right + GUTTER / 2, rule + 0.006)
-    return PanelPlace(rule, rule - 0.040, drawing, (), region)
+def _together(
+    contents: Mapping[str, Content], results: Rect
+) -> dict[str, tuple[Rect, tuple[float, ...]]]:
+    """Return where the equations of each panel stand above the results, and their baselines."""
+    found, low = {}, results.top
+    for name, content in reversed(list(contents.items())):
+        count = content.lines(results.width, True)
+        foot = Rect(results.left, low, results.right, low + EQUATION_PITCH * count)
+        lines = [low + BELOW_LINE + EQUATION_PITCH * number for number in range(count)]
+        found[name] = foot, tuple(reversed(lines))
+        low = foot.top
+    return found
 
 
 def rooms(panel: Panel, drawing: Rect, overlap: float = 0.0) -> list[tuple[Panel, Rect]]:

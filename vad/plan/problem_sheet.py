@@ -24,8 +24,6 @@ from vad.plan.items import (
     head_of,
     in_painting_order,
 )
-from vad.plan.lettering.runs import bold, roman
-from vad.plan.marks import Lettering
 from vad.plan.page.table import table
 from vad.plan.page.task import upon_problem
 from vad.plan.pictures.senses import senses_of
@@ -33,7 +31,6 @@ from vad.strokes.diagram import POSITION
 from vad.strokes.reveals import measurer
 from vad.strokes.sheet import POLE, Sheet, Stroke, StrokePart
 from vad.strokes.telling import BEFORE_INERTIA
-from vad.words import Language
 
 #: The panel of the force polygons.
 FORCES = "force"
@@ -105,27 +102,11 @@ def problem(key: Plan, blank: Blank, line: float, task: str | None = "") -> Plan
             marks = [entry.marks if cell.given else entry.blank for cell, entry in both]
             if not all(cell.given for cell in row.cells.get(name, ())):  # those stand there
                 items.append(Item("", RESULTS, Level.LABEL, tuple(chain(*marks))))
-    items = [_renamed(item, key.sheet) for item in items]
     if task is None:
         return replace(key, items=tuple(items))
     items += upon_problem(key, items, blank, task)
     regions = {**key.regions, TASK: Rect(0.0, 0.0, key.page.width, key.page.height)}
     return replace(key, items=tuple(in_painting_order(items, regions)), regions=regions)
-
-
-def _renamed(item: Item, sheet: Sheet) -> Item:
-    """Return an item in which the title of the table does not speak of results."""
-    if item.region != RESULTS:
-        return item
-    say = Language(sheet.language).say
-    old, new = bold(roman(say("results"))), bold(roman(say("values")))
-    marks = [
-        replace(mark, shape=replace(mark.shape, runs=new))
-        if isinstance(mark.shape, Lettering) and mark.shape.runs == old
-        else mark
-        for mark in item.marks
-    ]
-    return replace(item, marks=tuple(marks))
 
 
 def _given_away(key: Plan, blank: Blank) -> set[str]:

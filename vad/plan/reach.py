@@ -5,6 +5,8 @@ The strokes of a panel tell which body carries which block, and which points mus
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from vad.strokes.sheet import (
     Arc,
     Arrow,
@@ -105,6 +107,19 @@ def reached(panel: Panel) -> list[complex]:
                 block = block_along(panel, stroke)
                 points += ends_of_travel(block.shape) if block else ()
     return points
+
+
+def extent(points: Iterable[complex]) -> complex:
+    """Return the width and the height that points take, as real and imaginary part.
+
+    Examples
+    --------
+    >>> extent([1j, 3 + 2j])
+    (3+1j)
+    """
+    found = list(points) or [0j]
+    xs, ys = [z.real for z in found], [z.imag for z in found]
+    return complex(max(xs) - min(xs), max(ys) - min(ys))
 
 
 def corners(panel: Panel) -> list[complex]:

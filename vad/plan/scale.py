@@ -29,7 +29,6 @@ SIDE_PADDING = 0.075
 TOP_PADDING = 0.055
 BOTTOM_PADDING = 0.060
 BOTTOM_PADDING_POSITION = 0.090
-TALL = 1.5  # height over width
 SCALE_SIZE = 0.030
 LONGEST_BAR = 0.12
 SHORTEST_BAR = 0.03
@@ -117,13 +116,6 @@ def padded(drawing: Rect, position: bool) -> Rect:
         drawing.right - across * SIDE_PADDING,
         drawing.top - upright * TOP_PADDING,
     )
-
-
-def is_tall(points: Iterable[complex]) -> bool:
-    """Tell whether ``points`` need clearly more height than width."""
-    all_points = list(points) or [0j]
-    xs, ys = [p.real for p in all_points], [p.imag for p in all_points]
-    return max(ys) - min(ys) > TALL * (max(xs) - min(xs))
 
 
 def round_up(value: float) -> float:

@@ -30,7 +30,7 @@ LARGE, SMALL, SMALLEST = 1.12, 0.70, 0.60
 #: A thumbnail that is less high than this has the smallest letters.
 LOW = 0.20
 #: Of the width between the margins, the large panel takes so much, and more on a narrow page.
-SHARE, NARROW_SHARE, NARROW = 0.61, 0.64, 1.5
+SHARE, NARROW_SHARE = 0.61, 0.64
 #: A page that is higher has the thumbnails below the large panel, which takes so much of its
 #: height.
 TALLEST, TALL_SHARE = 1.5, 0.56
@@ -117,7 +117,7 @@ def lay_out_scene(
         cells = _cells(Rect(left, low, middle, split - APART), others)
         work = Rect(middle + GUTTER, low, right, split - APART)
     else:
-        share = NARROW_SHARE if form.width < NARROW else SHARE
+        share = NARROW_SHARE if form.narrow else SHARE
         first = Rect(left, low, left + share * (right - left), top)
         side = Rect(first.right + GUTTER, low, right, top)
         cells = _cells(side, others, FIRST_ROW)

@@ -29,7 +29,7 @@ from vad.plan.page.heads import head, pale, title_marks
 from vad.plan.page.work import in_work
 from vad.plan.pictures.senses import found_senses
 from vad.plan.pictures.sent import sent, to_rows
-from vad.plan.reach import corners
+from vad.plan.reach import corners, extent
 from vad.plan.scene_layout import SceneLayout, lay_out_scene
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Curve, Panel, Sheet
@@ -241,9 +241,7 @@ def _fitted(items: Sequence[Item], area: Rect) -> tuple[float, complex]:
 
 def _shape(panel: Panel) -> complex:
     """Return the width and the height of what is drawn in a panel, as real and imaginary part."""
-    points = [point for half in panel.halves for point in corners(half)] or [0j]
-    xs, ys = [z.real for z in points], [z.imag for z in points]
-    return complex(max(xs) - min(xs), max(ys) - min(ys))
+    return extent(point for half in panel.halves for point in corners(half))
 
 
 def _thumbnail(panel: Panel, wide: float) -> Panel:

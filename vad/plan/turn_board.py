@@ -24,13 +24,14 @@ from vad.plan.labels.placing import Placed, belongs, beside, fan
 from vad.plan.labels.springs import POSES
 from vad.plan.labels.vertices import text_at
 from vad.plan.layout import beside as beside_mechanism
-from vad.plan.layout import lay_out_turn, rooms
+from vad.plan.layout import rooms
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman
 from vad.plan.marks import Lettering, Mark, disc, lines
 from vad.plan.page.heads import TITLE as TITLE_SIZE
 from vad.plan.page.heads import head, title_marks
 from vad.plan.sketch import Setting, Sketch
+from vad.plan.turn_layout import lay_out_turn
 from vad.plan.turn_lens import FADE
 from vad.plan.turn_panel import TurnPanel
 from vad.strokes.diagram import Spot

@@ -11,7 +11,6 @@ PHRASES = {
     # ein Aufgabenblatt
     "name": "Name",
     "class": "Klasse",
-    "values": "Werte",
     "working": "Rechnung",
     "task": "Zeichnen Sie {panels} im angegebenen Maßstab und bestimmen Sie {found}.",
     "task draw": "Zeichnen Sie {panels} im angegebenen Maßstab.",

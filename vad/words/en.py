@@ -22,7 +22,6 @@ PHRASES = {
     # a problem sheet
     "name": "Name",
     "class": "Class",
-    "values": "Values",
     "working": "Calculation",
     "task": "Draw {panels} to the given scale, and find {found}.",
     "task draw": "Draw {panels} to the given scale.",

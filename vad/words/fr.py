@@ -11,7 +11,6 @@ PHRASES = {
     # une feuille d’exercice
     "name": "Nom",
     "class": "Classe",
-    "values": "Valeurs",
     "working": "Calculs",
     "task": "Tracer {panels} à l’échelle indiquée et trouver {found}.",
     "task draw": "Tracer {panels} à l’échelle indiquée.",

@@ -67,7 +67,8 @@ def equations(
     """Yield the equations, in which a term is pale until its stroke is inked."""
     for panel in sheet.panels:
         place, region = page.panels[panel.name], foot_of(panel.name)
-        left, middle = place.drawing.left, place.drawing.centre.real
+        room = place.foot or place.drawing
+        left, middle = room.left, room.centre.real
         foot, begun = feet[panel.name], drawing(sketches[panel.name].setting.first)
         for runs, baseline in zip(foot.remark, place.equations, strict=False):
             said = Mark(Lettering(runs, complex(left, baseline), REMARK_SIZE), "notes")

@@ -191,13 +191,15 @@ def type_width(pieces: Sequence[Piece]) -> float:
     return sum(width(piece.runs, 1.0) + piece.space for piece in pieces)
 
 
-def compose(panel: Panel, room: float) -> Foot:
+def compose(panel: Panel, room: float, told: bool = True) -> Foot:
     """Return the lines of a panel's foot: loops share a line if they fit ``room``.
+
+    If equations are not ``told``, it is the remark alone.
 
     A loop that is too long for one line goes on with its equals sign on the next.
     """
     remark = tuple(wrap(pieces_of(panel.remark), REMARK_SIZE, room)) if panel.remark else ()
-    equations = [(each, half.name) for half in panel.halves for each in half.equations]
+    equations = [(each, half.name) for half in panel.halves for each in half.equations if told]
     loops = [pieces(*each) for each in equations]
     if not loops:
         return Foot((), EQUATION_SIZE, remark)

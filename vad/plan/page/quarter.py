@@ -6,7 +6,7 @@ The rows of a sheet become entries in columns, whose heads have the units.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -18,9 +18,7 @@ from vad.strokes.sheet import Cell, Row, Sheet
 from vad.words import Language
 from vad.written import MINUS, THIN_SPACE, with_unit
 
-TITLE_SIZE = 0.037
 HEAD_SIZE = 0.031
-HEAD_GAP = 0.060  # title to head, head to first row, row to next head
 FIRST_GAP = 0.0535
 ROW_PITCH = 0.050
 GROUP_GAP = 0.0755
@@ -28,7 +26,7 @@ COLUMN_PITCH = 0.146
 COLUMN_GAP = 0.022
 LEAST_SQUEEZE = 0.85  # of the type
 LEAST_TYPE = 0.022
-UNTITLED = 0.042  # from the top to the first head
+FIRST_HEAD = 0.042  # from the top
 SHORT_KEY = 0.7  # of the key's length, where columns need room
 SIZE = 0.0335
 NAME_GAP = 0.0125
@@ -57,7 +55,7 @@ class _Fit:
 
 
 class Quarter:
-    """The table of a page with its panels in a grid, or ``rows`` of it without a title.
+    """The table of a page with its panels in a grid, or ``rows`` of it.
 
     Parameters
     ----------
@@ -69,8 +67,6 @@ class Quarter:
         The panels, in the order of its columns.
     rows
         The rows that it has.
-    titled
-        Whether it has a title, and says what grey means.
     squeeze
         The most of its full height that it takes.
     """
@@ -81,19 +77,16 @@ class Quarter:
         area: Rect,
         names: list[str],
         rows: Sequence[Row],
-        titled: bool = True,
         squeeze: float = 1.0,
     ) -> None:
         self._entries, self._area, self._names, self._rows = entries, area, names, rows
-        self._titled = titled
         self._groups = _grouped(rows, self._names)
         gaps = [_depth(group, names) for group in self._groups]
-        self._squeeze = min(squeeze, self._area.height / need(rows, names, titled))
+        self._squeeze = min(squeeze, self._area.height / need(rows, names))
         self._fit = self._fitted(max(self._squeeze, LEAST_SQUEEZE))
         self._heads: list[float] = []
         self._baselines: list[float] = []
-        top = 0.040 + HEAD_GAP * self._squeeze if titled else UNTITLED * self._squeeze
-        y = self._area.top - top
+        y = self._area.top - FIRST_HEAD * self._squeeze
         for group, gap in zip(self._groups, gaps, strict=True):
             self._heads.append(y)
             first = y - FIRST_GAP * self._squeeze
@@ -112,15 +105,13 @@ class Quarter:
         """The baseline of its first heads."""
         return self._heads[0]
 
-    def frame(self) -> list[Mark]:
-        """Return the title, the heads with their rules, keys and names."""
-        area, fit, sheet = self._area, self._fit, self._entries.sheet
-        marks: list[Mark] = []
-        if self._titled:
-            title = area.top - 0.040
-            word = bold(roman(Language(sheet.language).say("results")))
-            marks = [Mark(Lettering(word, complex(area.left, title), TITLE_SIZE), "words")]
-            marks += self._entries.legend(complex(fit.rights[-1], title))
+    def frame(self, legend: bool = True) -> list[Mark]:
+        """Return the heads with their rules, keys and names, and above these what grey means.
+
+        That stands there only if there is room.
+        """
+        area, fit = self._area, self._fit
+        marks = self._legend() if legend else []
         for group, head in zip(self._groups, self._heads, strict=True):
             for name, right in zip(self._names, fit.rights, strict=True):
                 at, size = complex(right, head), HEAD_SIZE * fit.type
@@ -153,6 +144,12 @@ class Quarter:
                 symbol.append(_right(sign, complex(left, baseline), size, role))
             found.append(Entry(tuple(symbol), number, left, right))
         return found
+
+    def _legend(self) -> list[Mark]:
+        wide = width(self._quantities(self._groups[0], self._names[0]), HEAD_SIZE * self._fit.type)
+        room = self._fit.rights[0] - wide - COLUMN_GAP - self._area.left
+        own = self._entries.legend_width
+        return self._entries.legend(self._area.left + own + 1j * self.head) if own <= room else []
 
     def _left(self, name: str) -> float:
         """Return where the column of a panel begins."""
@@ -274,12 +271,11 @@ def _right(runs: Runs, at: complex, size: float, role: str) -> Mark:
     return Mark(Lettering(runs, at - width(runs, size), size), role)
 
 
-def need(rows: Sequence[Row], names: list[str], titled: bool = True) -> float:
+def need(rows: Sequence[Row], names: list[str]) -> float:
     """Return the height of rows in full."""
     groups = _grouped(rows, names)
     total = sum(FIRST_GAP + _depth(group, names) * ROW_PITCH for group in groups)
-    top = 0.040 + HEAD_GAP if titled else UNTITLED
-    return top + total + (len(groups) - 1) * GROUP_GAP + 0.012
+    return FIRST_HEAD + total + (len(groups) - 1) * GROUP_GAP + 0.012
 
 
 def _depth(group: list[Row], names: list[str]) -> int:
@@ -382,11 +378,19 @@ class Entries:
 
     def legend(self, end: complex) -> list[Mark]:
         """Return the legend that says what grey means: a given value; it ends at ``end``."""
+        at = end - self.legend_width
+        return [Mark(Lettering(runs, at, GIVEN_SIZE), "notes") for runs in self._grey()]
+
+    @property
+    def legend_width(self) -> float:
+        """The width of the legend of grey, 0 where there is none."""
+        return sum(width(runs, GIVEN_SIZE) for runs in self._grey())
+
+    def _grey(self) -> Iterator[Runs]:
+        """Yield what says that grey values are given, if any are."""
         cells = (cell for row in self.sheet.rows for each in row.cells.values() for cell in each)
-        if not any(cell.given for cell in cells):
-            return []
-        runs = roman(Language(self.sheet.language).say("legend"))
-        return [Mark(Lettering(runs, end - width(runs, GIVEN_SIZE), GIVEN_SIZE), "notes")]
+        if any(cell.given for cell in cells):
+            yield roman(Language(self.sheet.language).say("legend"))
 
     def role(self, cell: Cell) -> Literal["notes", "words"]:
         """Return the role of a cell's type: given values are grey."""

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from vad.plan.geometry import Rect
-from vad.plan.layout import Page
+from vad.plan.layout import SQUEEZE, Page
 from vad.plan.layout import Table as TableHeights
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
@@ -38,7 +38,6 @@ SIGN_GAP = 0.008  # from a long symbol to its equals sign
 CLEAR = 0.02  # after a name, and between cells
 #: So many rows stand one below another.
 MOST = 6
-SQUEEZE = 0.8  # of the height that halves have
 GUTTER = 0.06
 LEGEND_GAP = 0.03
 
@@ -88,9 +87,8 @@ class Columns:
         rows = self._entries.sheet.rows
         if not rows or len(rows[0].cells.get(panel, ())) < 2:
             return 0.0
-        legend = [mark.shape for mark in self._entries.legend(0j)]
-        wide = [width(t.runs, t.size) for t in legend if isinstance(t, Lettering)]
-        return sum(wide) + 2 * CLEAR * bool(wide)
+        wide = self._entries.legend_width
+        return wide + 2 * CLEAR * bool(wide)
 
     def _first_left(self, panel: str, right: float) -> float:
         """Return where the cells beside the names begin: as far to the left as they need."""
@@ -218,10 +216,9 @@ class Columns:
         left = page.left + self._entries.key + NAME_GAP + min(self._names() + CLEAR, VALUES)
         wide = {name: self._widest(name) + CLEAR for name in page.panels}
         # What grey means stands at the end of the first line.
-        legend = [m.shape for m in self._entries.legend(0j) if isinstance(m.shape, Lettering)]
         last, first = next(reversed(wide)), rows[0].cells if rows else {}
         end = self._need(first.get(last, ()), last) + 2 * CLEAR
-        wide[last] = max(wide[last], end + sum(width(text.runs, text.size) for text in legend))
+        wide[last] = max(wide[last], end + self._entries.legend_width)
         stretch = (page.right + CLEAR - left) / sum(wide.values())
         places: dict[str, tuple[float, float]] = {}
         for name, wanted in wide.items():
@@ -275,21 +272,19 @@ class Halves:
         left = Rect(area.left, area.bottom, middle - GUTTER / 2, area.top)
         right = Rect(middle + GUTTER / 2, area.bottom, area.right, area.top)
         parts = rows[: self._first], rows[self._first :]
-        squeeze = min(area.height / need(part, names, titled=False) for part in parts)
+        squeeze = min(area.height / need(part, names) for part in parts)
         self._halves = [
-            Quarter(entries, place, names, part, titled=False, squeeze=squeeze)
+            Quarter(entries, place, names, part, squeeze=squeeze)
             for place, part in zip((left, right), parts, strict=True)
         ]
 
     def frame(self) -> list[Mark]:
         """Return names, keys, heads and rules, and the legend of grey if there is room."""
-        marks = [mark for half in self._halves for mark in half.frame()]
+        marks = [mark for half in self._halves for mark in half.frame(legend=False)]
         last = self._halves[-1]
-        legend = self._entries.legend(complex(self._area.right, last.head))
-        texts = [mark.shape for mark in legend if isinstance(mark.shape, Lettering)]
-        room = self._area.right - last.right - LEGEND_GAP
-        fits = all(width(text.runs, text.size) <= room for text in texts)
-        return [*marks, *legend] if fits else marks
+        if self._entries.legend_width > self._area.right - last.right - LEGEND_GAP:
+            return marks
+        return marks + self._entries.legend(complex(self._area.right, last.head))
 
     def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:
         """Return what row number ``index`` shows for a panel."""
@@ -302,7 +297,7 @@ def first_half(rows: Sequence[Row], names: list[str]) -> int:
     """Return how many rows stand on the left, so that the halves are equally high."""
 
     def height(count: int) -> float:
-        return max(need(part, names, titled=False) for part in (rows[:count], rows[count:]))
+        return max(need(part, names) for part in (rows[:count], rows[count:]))
 
     return min(range((len(rows) + 1) // 2, len(rows)), key=height)
 
@@ -313,5 +308,5 @@ def heights(rows: Sequence[Row], names: list[str]) -> TableHeights:
         return TableHeights(need(rows, names), 0.0, False)
     count = first_half(rows, names)
     parts = rows[:count], rows[count:]
-    halves = SQUEEZE * max(need(part, names, titled=False) for part in parts)
+    halves = SQUEEZE * max(need(part, names) for part in parts)
     return TableHeights(need(rows, names), halves, len(rows) > MOST)
