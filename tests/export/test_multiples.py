@@ -13,12 +13,13 @@ import vad
 from tests.painting.readers import centres, pdf_text
 from tests.plan.overlaps import _in_panel
 from vad.errors import AssemblyError, InputError, UsageError
+from vad.files.examples import example_path
 from vad.lecture.moment import Moment
 from vad.painting.posed import posed
 from vad.plan.format import paper, screen
 from vad.plan.marks import Lettering
 from vad.plan.multiples_board import LOWEST, NARROWEST, MultiplesBoard
-from vad.plan.reach import corners
+from vad.plan.reach import corners, extent
 
 PLACES = {
     "turn": (vad.FourBar(), (0, 60, 120, 180, 240, 300), screen((1280, 720))),
@@ -44,7 +45,12 @@ def test_a_kind_of_panel_has_one_scale_and_stays_in_its_cells(case: str) -> None
     page = board(case)
     for name in ("position", "velocity", "acceleration"):
         sketches = [found[name] for found in page.sketches]
-        assert len({sketch.scale.factor for sketch in sketches}) == 1
+        least = min(sketch.scale.factor for sketch in sketches)
+        times = [sketch.scale.factor / least for sketch in sketches]
+        assert times == pytest.approx([round(each) for each in times])
+        assert {round(each) for each in times} <= ({1} if name == "position" else {1, 2, 4, 8})
+        larger = [f"×{round(each):g}" for each in times if round(each) > 1]
+        assert [word for word in words(page, name) if word.startswith("×")] == larger
         rooms = [sketch.setting.room for sketch in sketches]
         assert len({round(room.width, 12) for room in rooms}) == 1
         assert all(one.right < other.left for one, other in pairwise(rooms))
@@ -66,6 +72,18 @@ def test_a_mechanism_stands_at_the_same_place_of_every_cell() -> None:
     sketches = [found["position"] for found in board("turn").sketches]
     offsets = [sketch.scale.origin - sketch.setting.room.left for sketch in sketches]
     assert offsets == pytest.approx([offsets[0]] * len(offsets))
+
+
+def test_a_small_polygon_fills_its_cell_and_says_how_much_it_is_enlarged() -> None:
+    leg = vad.multiples(vad.load(example_path("jansen-leg"))(), (0, 90, 180))
+    page = MultiplesBoard(leg, screen((1280, 720)))
+    sketches = [found["acceleration"] for found in page.sketches]
+    for sketch in sketches:
+        points = [sketch.scale(z) for z in corners(sketch.setting.panel)]
+        room, drawn = sketch.setting.room, extent(points)
+        assert max(drawn.real / room.width, drawn.imag / room.height) > 0.3
+    factors = [sketch.scale.factor for sketch in sketches]
+    assert factors == pytest.approx([4 * factors[2], 4 * factors[2], factors[2]])
 
 
 def test_titles_are_the_places_of_the_driver_as_given() -> None:

@@ -2,19 +2,21 @@
 
 Each row has one scale and one head, which stands beside it where the page is wide, and else above
 it.  A mechanism has the same place in each cell, so that a reader sees what moves; a polygon is
-centred.
+centred.  One that is small at the scale of its row is drawn two, four or eight times as large, and
+says so.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from vad.lecture.moment import Moment
-from vad.plan.board import rows_of
+from vad.plan.board import reach, rows_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, TITLE, Item, Level
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.layout import FLOOR, GUTTER, MARGIN, Page, PanelPlace, beside, rooms
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman, symbols
@@ -22,6 +24,7 @@ from vad.plan.marks import Lettering, Mark, line
 from vad.plan.page.heads import LEAST_SCALE, LEAST_TITLE, head, title_marks
 from vad.plan.page.heads import TITLE as TITLE_SIZE
 from vad.plan.pictures import sketched
+from vad.plan.pictures.lenses import words_of
 from vad.plan.reach import corners
 from vad.plan.scale import SCALE_GAP, Scale, bar_marks, fill, stated, views_scale
 from vad.plan.scale import SCALE_SIZE as SCALE
@@ -31,7 +34,10 @@ from vad.strokes.notation import Notation
 from vad.strokes.sheet import Cell, Panel, Sheet
 
 #: The least room of a picture, for which all type on the page shrinks.
-NARROWEST, LOWEST = 0.43, 0.37
+NARROWEST, LOWEST = 0.36, 0.33
+#: So many times as large as its row is a polygon drawn, if that has room.
+ENLARGED = (8, 4, 2, 1)
+ENLARGED_SIZE, ENLARGED_DROP, ENLARGED_GAP = 0.026, 0.032, 0.012
 #: A drawing may be so much larger than where it stands alone, aside and above: its letters are not
 #: far from it, and beside it there are gutters.
 SLACK = 0.030 + 0.008j
@@ -85,6 +91,11 @@ class MultiplesBoard:
                 if item.until == FOREVER
             )
             self._items += sorted(finished, key=lambda item: item.level)
+            for half in first.panel(name).halves:
+                row = [found[half.name] for found in self.sketches]
+                usual = _of_row([each.scale for each in row])
+                notes = [m for each in row for m in _enlarged(each.setting, usual, each.scale)]
+                self._items.append(Item("", name, Level.LABEL, tuple(notes)))
 
     def at(self, moment: Moment) -> list[Item]:
         """Return all items: nothing comes or goes."""
@@ -141,8 +152,13 @@ class MultiplesBoard:
         """Yield one kind of panel in all poses, at one scale."""
         sheets = self._multiples.sheets
         settings = [self._setting(sheet, name, number) for number, sheet in enumerate(sheets)]
-        for setting, scale in zip(settings, self._scales(settings), strict=True):
-            yield sketched(replace(setting, scale=scale))
+        scales = self._scales(settings)
+        usual = _of_row(scales)
+        for setting, scale in zip(settings, scales, strict=True):
+            taken = Obstacles(setting.room)
+            for mark in _enlarged(setting, usual, scale):
+                taken.box(_box(mark))
+            yield sketched(replace(setting, scale=scale, taken=taken))
 
     def _scales(self, settings: list[Setting]) -> list[Scale]:
         panels = [setting.panel for setting in settings]
@@ -154,8 +170,13 @@ class MultiplesBoard:
             points = [[point for each in points for point in each]] * len(panels)
         pairs = [(each, _larger(at.room)) for each, at in zip(points, settings, strict=True)]
         found = [fill(each, room, is_position, self.form.centimetre) for each, room in pairs]
-        least = min((scale.factor for scale in found if not scale.bare), default=None)
-        return [fill(each, room, is_position, factor=least) for each, room in pairs]
+        if all(scale.bare for scale in found):
+            return found
+        least = _of_row(found).factor
+        return [
+            fill(each, room, is_position, factor=least * (1 if is_position else _times(own, least)))
+            for (each, room), own in zip(pairs, found, strict=True)
+        ]
 
     def _titles(self) -> Iterator[Mark]:
         """Yield the title of the page, and over each column the place of its driver."""
@@ -173,7 +194,7 @@ class MultiplesBoard:
         sheets = self._multiples.sheets
         panel = sheets[0].panel(name)
         scales = [found[name].scale for found in self.sketches]
-        scale = min(scales, key=lambda scale: scale.bare)
+        scale = _of_row(scales)
         given = [_reading(cell, sheets[0].notation) for cell in self._given(name)]
         title = bold(roman(panel.title))
         if not self._aside:
@@ -205,6 +226,32 @@ class MultiplesBoard:
             for cell in row.cells.get(name, ()) if row.key == driver else ():
                 if cell.given and all(cell in each.rows[index].cells[name] for each in sheets):
                     yield cell
+
+
+def _of_row(scales: Sequence[Scale]) -> Scale:
+    """Return the scale that the head of a row states: the smallest one."""
+    return min(scales, key=lambda scale: (scale.bare, scale.factor))
+
+
+def _times(scale: Scale, least: float) -> int:
+    """Return how many times as large as at the ``least`` factor a picture may be drawn."""
+    return next(n for n in ENLARGED if n == 1 or n * least <= scale.factor * (1 + 1e-9))
+
+
+def _enlarged(setting: Setting, usual: Scale, scale: Scale) -> Iterator[Mark]:
+    """Yield what says that a picture is larger than its row: the factor and a bar of its own."""
+    times = 1 if scale.bare or usual.bare else round(scale.factor / usual.factor)
+    if times == 1:
+        return
+    factor, length, number = words_of(setting, usual, times)
+    at = complex(setting.room.left, setting.room.top - ENLARGED_DROP)
+    yield Mark(Lettering(factor, at, ENLARGED_SIZE), "notes")
+    bar = at + width(factor, ENLARGED_SIZE) + ENLARGED_GAP
+    yield from bar_marks(length, number, bar, ENLARGED_SIZE)
+
+
+def _box(mark: Mark) -> Rect:
+    return reach([Item("", TITLE, Level.GROUND, (mark,))])
 
 
 def _larger(room: Rect) -> Rect:
