@@ -12,9 +12,9 @@ from vad.plan.anchors import Beside
 from vad.plan.format import paper, screen
 from vad.plan.hodographs import TOLERANCE, thinned
 from vad.plan.items import Item
-from vad.plan.layout import lay_out_turn
 from vad.plan.marks import Disc, Lettering, Mark, Polyline
 from vad.plan.turn_board import NumberedTurn, TurnBoard
+from vad.plan.turn_layout import lay_out_turn
 from vad.plan.turn_panel import FAINT
 from vad.strokes.diagram import Spot
 
