@@ -365,6 +365,9 @@ export function mount(root, data, { address = true } = {}) {
       const { panel } = lesson, large = !root.classList.contains("large");
       root.classList.toggle("large", large);
       lesson.pictures.forEach((picture, i) => picture.closest(".panel").classList.toggle("big", large && i === panel));
+      // What stands beside its drawing, and a hair.
+      const beside = all(".board > header, .big > .top, .big > .foot").reduce((sum, each) => sum + each.offsetHeight, 4);
+      root.style.setProperty("--large", `${beside}px`);
       scene.draw();
     },
     full: () => document.fullscreenElement ? document.exitFullscreen() : root.requestFullscreen?.().catch(() => {}),
