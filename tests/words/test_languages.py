@@ -13,6 +13,8 @@ import vad
 import vad.words
 from tests.strokes.motions import everything, in_every_language, strokes
 from vad.errors import InputError
+from vad.strokes.description import listed
+from vad.strokes.notation import Notation
 from vad.strokes.sentences import Sentence, Voice
 from vad.words import Language, _Tables, languages
 
@@ -70,3 +72,35 @@ def test_a_mistake_in_a_language_of_a_package_is_named(
     with pytest.raises(InputError) as error:
         Voice("es").text(Sentence("crossing", {"letter": "c"}))
     assert str(error.value) == f"language 'es': phrase 'crossing': {problem}"
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", ["B angle", "H offset"]),
+        ("de", ["Winkel B", "Versatz H"]),
+        ("fr", ["angle B", "décalage H"]),
+    ],
+)
+def test_what_a_file_gives_for_a_point_has_a_name_in_every_language(
+    language: str, said: list[str]
+) -> None:
+    words = Language(language)
+    assert [words.name(name) for name in ("B_angle", "H_offset")] == said
+    assert words.name("crank_offset") != "décalage crank"
+
+
+def test_the_letter_of_a_point_is_a_symbol_wherever_it_stands() -> None:
+    named = [
+        ("Winkel B", 60.0, "°"),
+        ("B angle", 60.0, "°"),
+        ("BAC", 60.0, "°"),
+        ("arm", 5.0, "mm"),
+    ]
+    found = [[(p.text, p.kind) for p in item][:-1] for item in listed(named, Notation(","))]
+    assert found == [
+        [("Winkel ", "words"), ("B", "symbol")],
+        [("B", "symbol"), (" angle", "words")],
+        [("∠", "words"), ("BAC", "symbol")],
+        [("arm", "words")],
+    ]

@@ -15,7 +15,7 @@ from vad.written import LOW, with_unit
 
 _POINT = re.compile(r"[A-Z]\d*")
 #: Points, one or more, or a coordinate of one, as a whole word.
-_POINTS = re.compile(r"(?:[A-Z]\d*)+[xy]?(?= |$)")
+_POINTS = re.compile(r"(?<!\S)(?:[A-Z]\d*)+[xy]?(?!\S)")
 
 
 def title(sheet: Sheet) -> str:
@@ -51,13 +51,14 @@ def listed(
 
 def _name(name: str, unit: str) -> tuple[TextPiece, ...]:
     """Return the name of a parameter, in which letters of points are symbols."""
-    points = _POINTS.match(name)
+    points = _POINTS.search(name)
     if not points:
         return (TextPiece(name),)
-    letters, rest = points[0], name[points.end() :]
-    corner = unit == "°" and not rest and len(_POINT.findall(letters)) == 3
+    letters, before, rest = points[0], name[: points.start()], name[points.end() :]
+    corner = unit == "°" and letters == name and len(_POINT.findall(letters)) == 3
+    before = "∠" if corner else before
     symbol = TextPiece(letters.translate(LOW), "symbol")
-    return (*([TextPiece("∠")] if corner else []), symbol, *([TextPiece(rest)] if rest else []))
+    return tuple(each for each in (TextPiece(before), symbol, TextPiece(rest)) if each.text)
 
 
 def describe(sheet: Sheet) -> str:

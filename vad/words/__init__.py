@@ -200,7 +200,10 @@ class _Tables:
 
     def _name(self, name: str) -> str:
         names = _table(self._module, "NAMES")
-        return names.get(name) or _english("NAMES").get(name) or name.replace("_", " ")
+        point, _, kind = name.partition("_")
+        of_point = names.get(f"{{}}_{kind}", "") if point[:1].isupper() else ""  # as in B_angle
+        known = names.get(name) or _english("NAMES").get(name) or of_point.format(point)
+        return known or name.replace("_", " ")
 
     def _noun(self, name: str, article: str, generic: str) -> str:
         known = name in self._genders or not self._articles or not generic

@@ -953,6 +953,8 @@ NAMES = {
     "ground_twist": "Kreuzungswinkel",
     "crank_offset": "Kurbelversatz",
     "rocker_offset": "Schwingenversatz",
+    "{}_angle": "Winkel {}",
+    "{}_offset": "Versatz {}",
 }
 
 #: Das Geschlecht dessen, wovon Sätze sprechen.

@@ -862,6 +862,8 @@ NAMES = {
     "ground_twist": "twist",
     "crank_offset": "crank offset",
     "rocker_offset": "rocker offset",
+    "{}_angle": "{} angle",
+    "{}_offset": "{} offset",
 }
 
 #: The gender of nouns, which chooses their article: English has none.

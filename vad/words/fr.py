@@ -951,6 +951,8 @@ NAMES = {
     "ground_twist": "angle des axes",
     "crank_offset": "décalage de la manivelle",
     "rocker_offset": "décalage du balancier",
+    "{}_angle": "angle {}",
+    "{}_offset": "décalage {}",
 }
 
 #: Le genre de ce dont parlent les phrases.
