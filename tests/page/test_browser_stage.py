@@ -90,6 +90,33 @@ def test_the_panel_in_work_is_large_and_at_the_end_the_sheet_stands_there(lesson
         assert 0.05 < ratio < 0.9
 
 
+#: How much of its cell each thumbnail fills, across and upright, and how large its letters are.
+_FILLED = """() => [...document.querySelectorAll(".small .drawing")].map((cell) => {
+  const room = cell.getBoundingClientRect();
+  const boxes = [...cell.querySelectorAll("svg > [data-s].on")]
+    .map((each) => each.getBoundingClientRect()).filter(({ width, height }) => width + height);
+  const reach = (low, high) =>
+    Math.max(...boxes.map((each) => each[high])) - Math.min(...boxes.map((each) => each[low]));
+  return [reach("left", "right") / room.width, reach("top", "bottom") / room.height];
+})"""
+
+
+def test_thumbnails_show_what_is_drawn_and_all_of_it_when_a_hand_moves_it(lesson: Page) -> None:
+    places(lesson, FIRST[2] + 3)
+    for filled in lesson.evaluate(_FILLED):
+        assert 0.7 < max(filled) < 1.05
+    press(lesson, "h")
+    mechanism, _ = lesson.evaluate(
+        "() => [...document.querySelectorAll('.small .drawing svg')].map((each) =>"
+        " each.viewBox.baseVal.width)"
+    )
+    press(lesson, "Escape")
+    until(lesson, lambda: lesson.locator(".turned").count() == 0)
+    assert mechanism > 1.2 * lesson.locator(".small .drawing svg").first.evaluate(
+        "(each) => each.viewBox.baseVal.width"
+    )
+
+
 def test_a_change_of_panel_is_a_move_of_a_second(lesson: Page) -> None:
     """All that is drawn moves straight, though it is another picture when it is large."""
     places(lesson, FIRST[1])

@@ -197,6 +197,7 @@ function docked(root, body, player) {
       player.stage(-1, true);
     }
     root.classList.add("turned");
+    player.fit();
     for (const [name, word] of Object.entries(RENAMED)) name_(name, words[word]);
     one("[data-do=lesson]").setAttribute("aria-pressed", false);
     one("[data-do=hand]").setAttribute("aria-pressed", true);
@@ -250,6 +251,7 @@ function docked(root, body, player) {
       able();
       const lost = document.activeElement?.closest?.(".said, .dial, .set, .own");
       root.classList.remove("turned", "limited");
+      player.fit();
       if (lost) one("[data-do=hand]").focus({ preventScroll: true });
       for (const [cell, html] of written) cell.innerHTML = html;
       for (const [name, said] of Object.entries(named)) name_(name, said);

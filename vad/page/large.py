@@ -51,13 +51,16 @@ class Large:
         """Return it as ``stage.js`` reads it.
 
         That is the view, the factor and the shift, right and down in pixels, by which a place of
-        the panel on the sheet becomes its place here, and the picture.
+        the panel on the sheet becomes its place here, the picture, and the view of all that the
+        finished panel on the sheet shows: a thumbnail needs no more.
         """
         before, after = board.sketches[panel].scale, self.sketches[panel].scale
         factor = after.factor / before.factor
         pairs = zip(inker.pixels(before.origin), inker.pixels(after.origin), strict=True)
         shift = [round(there - factor * here, 2) for here, there in pairs]
-        return [inker.view(self.area), round(factor, 5), *shift, self.drawing]
+        shown = [i for i in board.shown(board.finished) if i.region == panel and i.marks]
+        ink = reach(shown) if shown else board.page.panels[panel].drawing
+        return [inker.view(self.area), round(factor, 5), *shift, self.drawing, inker.view(ink)]
 
 
 def large_panels(board: Plan, turned: HandBoard | None, inker: Inker) -> dict[str, Large]:

@@ -377,8 +377,13 @@ export function mount(root, data, { address = true } = {}) {
 
   const act = (name, shift) => (others?.[name] ?? does[name])?.(shift);
 
+  function measure() {
+    root.style.setProperty("--wide", `${one(".ruler").offsetWidth}px`);
+  }
+
   function unfold(open) {
     rail.classList.toggle("closed", !open);
+    if (one(".ruler")) measure();
     one("[data-do=strokes]").setAttribute("aria-expanded", open);
     if (lesson) follow();
     if (open && rail === one(".steps")) rail.scrollIntoView({ block: "nearest", behavior: calm.matches ? "auto" : "smooth" });
@@ -444,9 +449,9 @@ export function mount(root, data, { address = true } = {}) {
   // How wide the board is, by a line in it that has no height, which no size within the board moves.
   const ruler = one(".board").appendChild(document.createElement("div"));
   ruler.className = "ruler";
-  const measured = new ResizeObserver(() => root.style.setProperty("--wide", `${ruler.offsetWidth}px`));
+  const measured = new ResizeObserver(measure);
   measured.observe(ruler);
-  root.style.setProperty("--wide", `${ruler.offsetWidth}px`);
+  measure();
   root.classList.add("sized");
   on(wide, "change", () => unfold(open()));
   one("[data-do=full]").hidden = !document.fullscreenEnabled;
@@ -456,6 +461,7 @@ export function mount(root, data, { address = true } = {}) {
   return {
     load, seek, play, stop, place, does, on, speed, status, stage,
     take: (mode) => { stop(); others = mode; label(lesson.words.play); follow(); },
+    fit: scene.draw,
     // The last stroke that is drawn: its panel, and its number there.
     where: () => { const last = Math.max(0, Math.ceil(x) - 1), panel = panelOf(last); return [panel, last - lesson.first[panel] + 1]; },
     strokes,

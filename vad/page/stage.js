@@ -5,6 +5,9 @@
 // to(panel, atOnce, seconds) brings a panel into work, -1 the whole sheet. The root then hears
 // "vad:stage": large is the panel that is drawn large, or -1 where none is.
 
+// A thumbnail's lines are at most so many times as large as on the sheet.
+const MOST_SMALL = .8, CROWD = 10;
+
 function staging(root, calm) {
   const all = (selector) => [...root.querySelectorAll(selector)], roomy = matchMedia("(min-width: 48rem)");
   let lesson, views = [], panel = -1, large = -1;
@@ -20,31 +23,40 @@ function staging(root, calm) {
     all(".scene").forEach((each) => each.remove());
     views = lesson.pictures.map((picture) => picture.getAttribute("viewBox"));
     lesson.pictures.forEach((picture, i) => {
+      // Where there are many letters, they are small in a thumbnail.
+      picture.closest(".panel").style.setProperty("--t", picture.querySelectorAll(":scope > [data-s] > text").length > CROWD ? .52 : .68);
       if (lesson.large?.[i]) picture.insertAdjacentHTML("afterbegin", `<g class="scene">${lesson.large[i][4]}</g>`);
     });
     large = -1;
+    fitted.disconnect();
+    for (const picture of lesson.pictures) fitted.observe(picture.parentNode);
   }
 
-  // The scale bar of a large panel is as long as it is in the picture, which has the view's shape.
-  const barred = new ResizeObserver(([{ contentRect: { width, height } }]) => {
-    const [view, factor] = lesson.large[large], [, , wide, high] = view.split(" "), { style } = lesson.pictures[large].closest(".panel").querySelector(".top");
-    style.setProperty("--s", `${Math.min(width / wide, height / high)}px`);
-    style.setProperty("--q", factor);
-  });
+  // Each panel shows a part of its picture: the large one all of its room, a thumbnail what is drawn on the
+  // sheet, unless a hand may move that. Letters of thumbnails, and the large one's scale bar, follow.
+  function fit() {
+    const u = parseFloat(root.style.getPropertyValue("--wide")) / 1280, held = root.classList.contains("turned");
+    lesson.pictures.forEach((picture, i) => {
+      const [view, factor, , , , ink] = lesson.large?.[i] ?? [], { clientWidth: width, clientHeight: height } = picture.parentNode;
+      if (!view) return;
+      const panel = picture.closest(".panel"), { style } = panel.querySelector(".top"), small = large >= 0 && i !== large;
+      const [x, y, wide, high] = (i === large ? view : small && !held ? ink : views[i]).split(" ").map(Number);
+      const size = Math.min(width / wide, height / high, small ? MOST_SMALL * u : Infinity);
+      const across = small ? width / size : wide, up = small ? height / size : high;
+      picture.setAttribute("viewBox", large < 0 || !(size > 0) ? views[i] : [x + (wide - across) / 2, y + (high - up) / 2, across, up].map((each) => each.toFixed(2)).join(" "));
+      for (const [owner, name, value] of [[panel.style, "--k", small && size / u], [style, "--s", i === large && `${size}px`], [style, "--q", i === large && factor]])
+        if (value) owner.setProperty(name, value);
+        else owner.removeProperty(name);
+    });
+  }
+  const fitted = new ResizeObserver(fit);
 
   function draw() {
-    const next = roomy.matches && !root.classList.contains("large") && lesson.large?.length ? panel : -1;
-    if (next === large) return;
-    barred.disconnect();
-    lesson.pictures.forEach((picture, i) => {
-      if (!lesson.large?.[i]) return;
-      picture.setAttribute("viewBox", i === next ? lesson.large[i][0] : views[i]);
-      picture.closest(".panel").classList.toggle("grand", i === next);
-      for (const name of ["--s", "--q"]) picture.closest(".panel").querySelector(".top").style.removeProperty(name);
-    });
+    const next = roomy.matches && !root.classList.contains("large") && lesson.large?.length ? panel : -1, other = next !== large;
     large = next;
-    if (large >= 0) barred.observe(lesson.pictures[large]);
-    root.dispatchEvent(new CustomEvent("vad:stage"));
+    lesson.pictures.forEach((picture, i) => picture.closest(".panel")?.classList.toggle("grand", i === large));
+    fit();
+    if (other) root.dispatchEvent(new CustomEvent("vad:stage"));
   }
 
   // Copies of all pictures where they are, which fade: who wants no motion sees one picture become another.
@@ -94,7 +106,7 @@ function staging(root, calm) {
     load, to, draw,
     // Whether a mark is in the picture that its panel shows, on the sheet or large.
     shows: (mark) => Boolean(mark.closest(".scene")) === (mark.ownerSVGElement === lesson.pictures[large]),
-    dispose: () => { barred.disconnect(); over.abort(); },
+    dispose: () => { fitted.disconnect(); over.abort(); },
     get panel() { return panel; },
     get large() { return large; },
   };
