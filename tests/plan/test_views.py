@@ -15,7 +15,7 @@ from tests.plan.overlaps import overlaps, planned
 from tests.plan.sheet_of_views import sheet_of_views
 from vad.export.sheet_json import sheet_from_json, to_text
 from vad.plan.format import screen
-from vad.plan.items import Item
+from vad.plan.items import Item, Level
 from vad.plan.labels.placing import distance
 from vad.plan.layout import TALL_VIEWS_SHARE, VIEWS_SHARE
 from vad.plan.live_board import LiveBoard
@@ -288,11 +288,29 @@ def test_the_note_of_a_view_comes_with_its_first_stroke(kind: type):
     sheet = vad.draw(vad.solve(kind()))
     sketch, panel = planned(sheet, lesson=True).sketches["position"], sheet.panel("position")
     assert {note.comes for note in panel.notes} <= {stroke.name for stroke in panel.strokes}
-    shown = [item.since for item in sketch.items if "notes" in {m.role for m in item.marks}]
+    written = [item for item in sketch.items if item.level is Level.LABEL]
+    shown = [item.since for item in written if "notes" in {m.role for m in item.marks}]
     assert sorted(shown) == sorted(
         sketch.setting.during(panel.number(note.comes)) for note in panel.notes
     )
     assert max(shown) > 0
+
+
+def test_joints_of_views_that_look_like_one_stand_under_a_lens():
+    plan = planned(vad.draw(vad.solve(vad.RSSR(), angle=75.0)), (960, 720))
+    sketch = plan.sketches["position"]
+    (lens,) = sketch.lenses
+    assert {"A", "B"} == {sketch.vertices[n].label for n in sketch.close[0].members}
+    words = [
+        "".join(run.text for run in mark.shape.runs)
+        for item in plan.items
+        for mark in item.marks
+        if mark.role == "notes" and isinstance(mark.shape, Lettering)
+    ]
+    assert "×4" in words and not roles(sketch, "scale bar")
+    within = [tag for tag in sketch.tags if abs(tag.box.centre - lens.at) < lens.radius]
+    assert {tag.text for tag in within} == {"A", "B"}
+    assert overlaps(vad.draw(vad.solve(vad.RSSR(), angle=75.0)), (960, 720)) == []
 
 
 def test_a_small_thumbnail_of_views_has_letters_alone():

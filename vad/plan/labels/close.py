@@ -33,6 +33,11 @@ LEAST_RING = 0.0165
 MOST = 2  # lenses in a panel
 
 
+def has_close(vertices: Sequence[Vertex]) -> bool:
+    """Tell whether two vertices that are not equal look like one."""
+    return any(SAME < abs(one.at - other.at) < LEAST for one, other in combinations(vertices, 2))
+
+
 def _close_places(setting: Setting, vertices: Sequence[Vertex]) -> list[Close]:
     """Return the places where points cannot be told apart, the closest first."""
     if len(vertices) > CROWD:

@@ -14,6 +14,7 @@ from typing import Protocol
 
 from vad.plan.geometry import Rect
 from vad.plan.labels.choices import PLACED, LabelChoice, MovingLabels
+from vad.plan.labels.close import has_close
 from vad.plan.pictures import polygon
 from vad.plan.pictures.lenses import with_lenses
 from vad.plan.pictures.skeleton import Skeleton, angle_centre
@@ -77,7 +78,10 @@ def sketched(setting: Setting) -> Sketch:
 
 
 def _views(setting: Setting) -> Sketch:
-    """Return the views of one pose, smaller if their notes have no room beside them."""
+    """Return the views of one pose, smaller if their notes have no room beside them.
+
+    Where points cannot be told apart there is a lens, if it has room.
+    """
     panel, room = setting.panel, setting.room
     usual = setting.scale or views_scale(setting, [panel])
     best = Views(setting, [panel], usual).draw()
@@ -87,7 +91,15 @@ def _views(setting: Setting) -> Sketch:
         about = room.centre + side * room.width / 2
         other = Views(setting, [panel], usual.smaller(share, about)).draw()
         best = min(best, other, key=lambda each: each.astray)
-    return best
+    if not (setting.lenses and has_close(best.vertices)):
+        return best
+    scale = best.scale
+
+    def lensed(part: Rect, labels: LabelChoice) -> Sketch:
+        own = scale if part == room else views_scale(replace(setting, room=part), [panel])
+        return best if labels is PLACED else Views(setting, [panel], own).draw(labels)
+
+    return with_lenses(setting, lensed)
 
 
 def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:

@@ -29,7 +29,7 @@ from vad.plan.marks import Mark, Polygon, disc, line
 from vad.plan.pictures.inset import reserved
 from vad.plan.reach import corners
 from vad.plan.roles import ROLES
-from vad.plan.scale import SCALE_GAP, Scale, bar_marks, fill, scale_bar
+from vad.plan.scale import SCALE_GAP, Scale, bar_marks, fill, scale_bar, views_scale
 from vad.plan.sketch import Close, Setting, Sketch
 
 #: Draws a picture in a room with its labels; None where it has no place for its inset.
@@ -59,30 +59,34 @@ _NOT_SHOWN = {"angle", "axis", "sense", "speed", "notes", "scale bar", "right an
 
 
 class Words(NamedTuple):
-    """The words below a lens: its factor, a bar, and what that stands for."""
+    """The words below a lens: its factor, a bar, and what that stands for.
+
+    Where a picture states no scale, the factor stands alone.
+    """
 
     factor: Runs
-    length: float
-    value: Runs
+    length: float = 0.0
+    value: Runs = ()
 
     @property
     def wide(self) -> float:
         """Their width."""
         sides = width(self.factor, WORDS) + width(self.value, WORDS)
-        return sides + 2 * SCALE_GAP + self.length
+        return sides + (2 * SCALE_GAP + self.length if self.value else 0.0)
 
     @property
     def high(self) -> float:
         """Their height."""
-        return ink_size(self.value, WORDS)[1]
+        return ink_size(self.value or self.factor, WORDS)[1]
 
     def marks(self, middle: complex) -> Iterator[Mark]:
         """Yield them about the middle of their place."""
         start = middle - complex(self.wide, self.high) / 2
         centre = start + complex(*ink_size(self.factor, WORDS)) / 2
         yield text_at(self.factor, self.factor, centre, WORDS, "notes")
-        bar = start + width(self.factor, WORDS) + SCALE_GAP
-        yield from bar_marks(self.length, self.value, bar, WORDS)
+        if self.value:
+            bar = start + width(self.factor, WORDS) + SCALE_GAP
+            yield from bar_marks(self.length, self.value, bar, WORDS)
 
     def box(self, middle: complex) -> Rect:
         """Return their box about the middle of their place."""
@@ -151,7 +155,13 @@ def _smaller_rooms(setting: Setting, full: Sketch) -> list[Rect]:
     if setting.scale is not None or setting.centimetre is not None:
         return []
     points, is_position = corners(panel), panel.picture != "vectors"
-    scales = [(-fill(points, each, is_position).factor, each) for each in reserved(room)]
+
+    def factor(part: Rect) -> float:
+        if panel.picture == "views":
+            return views_scale(replace(setting, room=part), [panel]).factor
+        return fill(points, part, is_position).factor
+
+    scales = [(-factor(each), each) for each in reserved(room)]
     least = LEAST_SCALE * full.scale.factor
     return [each for scale, each in sorted(scales, key=itemgetter(0)) if -scale >= least]
 
@@ -280,10 +290,13 @@ def _add(sketch: Sketch, close: Close, spot: Spot, view: View) -> None:
 
 def words_of(setting: Setting, scale: Scale, enlarged: float) -> Words:
     """Return the words below a lens that shows a picture of a scale so many times ``enlarged``."""
+    times = roman(f"×{enlarged:g}")
+    if scale.bare:
+        return Words(times)
     factor = enlarged * scale.factor
     value = scale_bar(factor, LONGEST_BAR)
     number = setting.sheet.notation.number(value, setting.panel.unit, given=True)
-    return Words(roman(f"×{enlarged:g}"), value * factor, roman(number))
+    return Words(times, value * factor, roman(number))
 
 
 def _corners(
