@@ -13,10 +13,13 @@ from vad.plan.format import paper, screen
 from vad.plan.hodographs import TOLERANCE, thinned
 from vad.plan.items import Item
 from vad.plan.marks import Disc, Lettering, Mark, Polyline
+from vad.plan.pictures.inset import SIZES, draw_inset
+from vad.plan.pictures.polygon import Polygon
 from vad.plan.turn_board import NumberedTurn, TurnBoard
 from vad.plan.turn_layout import lay_out_turn
 from vad.plan.turn_panel import FAINT
 from vad.strokes.diagram import Spot
+from vad.strokes.sheet import Arrow
 
 pytestmark = pytest.mark.exhaustive
 
@@ -258,3 +261,27 @@ def test_of_two_polygons_in_a_column_none_is_cut_off():
         assert all(panel.room.holds(z) for z in ways), name
         below = min(z.imag for z in ways) - panel.room.bottom
         assert below > 0.05 or not name.endswith(".below"), name  # above its scale bar
+
+
+def test_a_polygon_makes_way_for_the_speeds_over_a_turn():
+    """They have their full size, and no vector of any pose meets them."""
+    board = TurnBoard(vad.turn(vad.HookeJoint()))
+    polygon = board.panels["velocity"].picture
+    assert isinstance(polygon, Polygon)
+    place = polygon._inset
+    assert place is not None
+    assert place.size == max(SIZES)
+    panel = board.sheet.panel("velocity")
+    assert panel.inset is not None
+    setting = polygon.still.setting
+    box = draw_inset(panel.inset, setting, place.size, np.inf).box.moved(place.corner.origin)
+    assert setting.room.holds(complex(box.left, box.bottom), 1e-6)
+    assert setting.room.holds(complex(box.right, box.top), 1e-6)
+    for frame in range(0, 240, 20):
+        strokes = [
+            polygon.scale(end)
+            for stroke in board.turn.pose(frame).panel("velocity").strokes
+            if isinstance(stroke.shape, Arrow)
+            for end in (stroke.shape.start, stroke.shape.end)
+        ]
+        assert not any(box.holds(end) for end in strokes)

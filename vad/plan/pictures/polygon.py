@@ -47,6 +47,8 @@ CORIOLIS = "2ωv"
 DOT = 0.0068
 RADIUS = DOT + DOT_RIM
 NEAR = (0.014, 0.020, 0.027, 0.034)
+#: The room for letters about a polygon that is moved for its speeds over a turn.
+LETTERED = 0.060
 CAPTION_ROOMS = (math.inf, 0.18)  # in one line or, rather than at a smaller size, in two
 BAR_OFF = 0.012  # the lower edge of the room, for the scale bar of a polygon below another
 BAR_ROOM = 0.035  # the height that it takes of that room over a turn
@@ -213,15 +215,27 @@ def over_turn(setting: Setting, poses: Sequence[Panel]) -> Polygon:
     if not isinstance(inset, PolarInset):
         return full
     insets = [(size, draw_inset(inset, setting, size, math.inf)) for size in SIZES]
+    points = [full.scale(corner) for polygon in polygons for corner in polygon]
+    inner = setting.room.inside(LETTERED)
+    aside = (inner.left - min(z.real for z in points), inner.right - max(z.real for z in points))
+    beside = [full, *(full.moved(complex(shift)) for shift in aside)]
     smaller = sorted(map(scale_in, reserved(setting.room)), key=lambda scale: -scale.factor)
-    for polygon in (full, *(Polygon(setting, scale) for scale in smaller)):
-        drawn = [line for pose in poses for line in polygon.pose(pose).obstacles.lines]
-        crowd = Obstacles(setting.room, list(dict.fromkeys(drawn)))
-        for size, each in insets:
-            corner = find_corner(crowd, setting.room, each)
-            if corner:
-                return Polygon(setting, polygon.scale, InsetPlace(size, corner))
+    among = [(each, size) for size in insets for each in beside]
+    among += [(Polygon(setting, scale), size) for scale in smaller for size in insets]
+    crowds: dict[int, Obstacles] = {}
+    for polygon, (size, each) in among:
+        if id(polygon) not in crowds:
+            crowds[id(polygon)] = _crowd(polygon, poses)
+        corner = find_corner(crowds[id(polygon)], setting.room, each)
+        if corner:
+            return Polygon(setting, polygon.scale, InsetPlace(size, corner))
     return full
+
+
+def _crowd(polygon: Polygon, poses: Sequence[Panel]) -> Obstacles:
+    """Return all strokes of a polygon over a turn."""
+    drawn = [line for pose in poses for line in polygon.pose(pose).obstacles.lines]
+    return Obstacles(polygon.still.setting.room, list(dict.fromkeys(drawn)))
 
 
 def _is_followed(panel: Panel) -> bool:
