@@ -49,6 +49,8 @@ SENSE_SIZES = (  # radius and span, the best first
     (0.104, 46.0),
     (0.120, 40.0),
 )
+#: Farther from its link, the arrow of a given ω would seem to be of another one.
+NEAR_SIZES = tuple(size for size in SENSE_SIZES if size[0] <= 0.074)
 #: Beyond the circle on which a crank runs, where it is drawn.
 WIDER = ((0.135, 38.0), (0.150, 34.0), (0.170, 30.0))
 SENSE_LEAD = 63.0
@@ -217,12 +219,13 @@ def add_free_sense(
     sketch: Sketch,
     index: int | None,
     angle: Stroke,
-    sizes: Sequence[tuple[float, float]] = SENSE_SIZES,
+    sizes: Sequence[tuple[float, float]] = NEAR_SIZES,
 ) -> None:
     """Add the arrow of the given ω, if there is one, where it meets nothing of this one pose.
 
     It comes with stroke number ``index``, and stands about the centre of an ``angle``; ``sizes``
-    are the radii and spans that it may have.
+    are the radii and spans that it may have.  Where it has no room there, it is placed with the
+    arrows of the other rates.
     """
     omega, shape = sketch.setting.sheet.driver.omega, angle.shape
     if omega and index is not None and isinstance(shape, Arc):

@@ -6,61 +6,30 @@ for both, "ω₃, α₃"; where α is against ω, each has its own.
 
 from __future__ import annotations
 
-import cmath
-import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-import numpy as np
-
-from vad.plan.geometry import direction_of
-from vad.plan.items import FOREVER, Item, Level, Span
-from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
+from vad.kinematics.numbers import ray
+from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.vertices import text_at
-from vad.plan.lettering.glyphs import ink_size, width
+from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman, symbols
-from vad.plan.marks import Lettering, Mark
+from vad.plan.marks import Bow, Lettering, Mark, line
 from vad.plan.pictures.angles import sense_arrow
 from vad.plan.pictures.machine import fixed_points
+from vad.plan.pictures.sense_places import LETTERS, THIN, Places, SensePlace
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Order
 from vad.strokes.reveals import measurer
-from vad.strokes.sheet import Arrow, Row
+from vad.strokes.sheet import Arrow, Plate, Row
 from vad.strokes.travels import turning
 
-#: Radius and span of an arrow, the best first.
-SIZES = (
-    (0.094, 58.0),
-    (0.078, 62.0),
-    (0.064, 68.0),
-    (0.110, 46.0),
-    (0.052, 72.0),
-    (0.130, 38.0),
-    (0.040, 84.0),
-    (0.155, 32.0),
-    (0.185, 27.0),
-)
-#: Where an arrow is tried, as shares of its span from its middle: 8° apart at most.
-SHARES = np.linspace(-0.5, 0.5, 12)
-#: From the link to the middle of the arrow, in degrees; at 0 the arrow runs across its link.
-AWAY = tuple(sorted(range(-180, 180, 15), key=abs))
-LETTER = 0.030
-#: From the arrow to its name, and to other strokes.
-NAMED, CLEAR = 0.007, 0.007
-#: From the end of an arrow to a name beyond it.
-END_GAPS = (0.010, 0.018)
-#: So many places of an arrow may lie on strokes that it may cross.
-ACROSS = 2
-#: From the link to the middle of its arrow at most: farther off, nobody would see which it is.
-FARTHEST = 0.080
-#: The cosine between two directions that are seen to be opposite.
-AGAINST = -0.3
+LETTER = LETTERS[0]
 #: A rate below this share of the largest one has no sense.
 STILL = 1e-9
-#: What lies so near the axis of a link belongs to it.
-_OWN = 0.004
+#: So many times the links without room for their arrows are placed before the others.
+ROUNDS = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,18 +45,6 @@ class Sense:
         return ", ".join(symbol for symbol, *_ in self.names)
 
 
-@dataclass(frozen=True, slots=True)
-class _Place:
-    """Where an arrow stands: its centre, radius, span and middle, points along it, and its name."""
-
-    centre: complex
-    radius: float
-    span: float
-    middle: float
-    line: list[complex]
-    name: complex
-
-
 def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
     """Yield the arrows of all rates that are not given, and of the given α.
 
@@ -96,18 +53,65 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
     """
     for sketch in sketches.values():
         panel = sketch.setting.panel
-        if panel.name != POSITION.panel or panel.picture != "skeleton":
-            continue
-        taken = sketch.obstacles
-        taken = Obstacles(taken.edge, [*taken.lines], [*taken.boxes])
-        bars = {row.key: _bars(sketch, row) for row in sketch.setting.sheet.rows}
-        pivots = [sketch.scale(at) for _, at in fixed_points(panel)]
-        for row in sketch.setting.sheet.rows:
-            others = [bar for key, own in bars.items() if key != row.key for bar in own]
-            ways: list[complex] = []
-            for sense in senses_of(sketches, row) if bars[row.key] else ():
-                about = (sketch, taken, row, bars[row.key], sense)
-                yield from arrow_near(*about, others, ways, pivots)
+        if panel.name == POSITION.panel and panel.picture == "skeleton":
+            for row, sense, place in placed_senses(sketch, sketches):
+                yield from arrow_at(sketch, row, sense, place)
+
+
+def placed_senses(
+    sketch: Sketch, sketches: Mapping[str, Sketch]
+) -> list[tuple[Row, Sense, SensePlace]]:
+    """Return the arrows of a mechanism that have room, each with its place.
+
+    Links without room for all of their arrows are placed first in another round.
+    """
+    rows, places = sketch.setting.sheet.rows, {}
+    bars = {row.key: _bars(sketch, row) for row in rows}
+    pivots = [sketch.scale(at) for _, at in fixed_points(sketch.setting.panel)]
+    wanted = ((row, senses_of(sketches, row)) for row in rows if bars[row.key])
+    order = [(row, senses) for row, senses in wanted if senses]
+    for row, _ in order:
+        others = [bar for key, own in bars.items() if key != row.key for bar in own]
+        roomy = Places(sketch.obstacles, bars[row.key], others, pivots)
+        places[row.key] = roomy, replace(roomy, thin=THIN)
+    best: list[tuple[Row, Sense, SensePlace]] = []
+    for tight in range(ROUNDS):
+        found, short = [], []
+        taken = sketch.obstacles.copy()
+        for row, senses in order:
+            there = _there(sketch, row)
+            for each in places[row.key][: 1 + tight]:
+                spots = each.find(taken, asked(senses), there)
+                if None not in spots:
+                    break
+            for sense, place in zip(senses, spots, strict=True):
+                if place is None:
+                    short.append(row)
+                else:
+                    place.block(taken)
+                    found.append((row, sense, place))
+        if len(found) > len(best):
+            best = found
+        if not short:
+            break
+        order.sort(key=lambda each: each[0] not in short)
+    return best
+
+
+def _there(sketch: Sketch, row: Row) -> tuple[complex, complex] | None:
+    """Return the centre and the direction of the arrow of a given ω, if it turns this link."""
+    number = sketch.setting.row(row.key)
+    for mark in (mark for item in sketch.items for mark in item.marks):
+        if mark.role == "sense" and mark.row == number and isinstance(mark.shape, Bow):
+            bow = mark.shape
+            middle = ray(bow.start + bow.sweep / 2)
+            return bow.centre, math.copysign(1.0, bow.sweep) * 1j * middle
+    return None
+
+
+def asked(senses: Sequence[Sense]) -> list[tuple[float, str]]:
+    """Return the signs and the names of some arrows."""
+    return [(sense.sign, sense.text) for sense in senses]
 
 
 def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
@@ -121,7 +125,7 @@ def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
         if cell.given:
             if cell.symbol in _shown(sketches):
                 continue  # its arrow stands there already
-            by, since = "", 0
+            by, since = _given(sketches)
         else:
             found = measurer(setting.sheet, setting.panel, row)
             if found is None or found[0].name not in sketches:
@@ -131,6 +135,17 @@ def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
             by, since = other.full(stroke.name), beats.after(other.number(stroke.name))
         signs.setdefault(math.copysign(1.0, cell.value), []).append((cell.symbol, by, since))
     return [Sense(sign, tuple(names)) for sign, names in signs.items()]
+
+
+def _given(sketches: Mapping[str, Sketch]) -> tuple[str, int]:
+    """Return the stroke that brings what is given, and the beat after it: that of the driver."""
+    if POSITION.panel not in sketches:
+        return "", 0
+    setting = sketches[POSITION.panel].setting
+    number = setting.panel.find(setting.sheet.driver.stroke)
+    if number is None:
+        return "", 0
+    return setting.panel.full(setting.panel.strokes[number].name), setting.after(number)
 
 
 def _shown(sketches: Mapping[str, Sketch]) -> set[str]:
@@ -145,178 +160,49 @@ def _largest(sketch: Sketch, order: Order) -> float:
 
 
 def _bars(sketch: Sketch, row: Row) -> list[tuple[complex, complex]]:
-    """Return the bars of a link on the page, those between its own letters first."""
-    place = sketch.scale
-    bars = [
-        (stroke.label != row.letters, place(stroke.shape.start), place(stroke.shape.end))
-        for stroke in sketch.setting.panel.strokes
-        if stroke.link == row.key and stroke.component == "link"
-        if isinstance(stroke.shape, Arrow) and stroke.shape.start != stroke.shape.end
-    ]
-    return [(start, end) for _, start, end in sorted(bars, key=lambda bar: bar[0])]
+    """Return the bars of a link and the edges of its plate on the page."""
+    place, found = sketch.scale, dict[frozenset[complex], tuple[complex, complex]]()
+    for stroke in sketch.setting.panel.strokes:
+        if stroke.link != row.key:
+            continue
+        match stroke.shape:
+            case Arrow(start, end) if stroke.component == "link" and start != end:
+                bars = [(start, end)]
+            case Plate(corners):
+                bars = [*zip(corners, (*corners[1:], corners[0]), strict=True)]
+            case _:
+                continue
+        for start, end in bars:
+            found.setdefault(frozenset((start, end)), (place(start), place(end)))
+    return [*found.values()]
 
 
-def arrow_near(
-    sketch: Sketch,
-    taken: Obstacles,
-    row: Row,
-    bars: Sequence[tuple[complex, complex]],
-    sense: Sense,
-    others: Sequence[tuple[complex, complex]] = (),
-    ways: list[complex] | None = None,
-    pivots: Sequence[complex] = (),
-    thin: float = 0.0,
-) -> Iterator[Item]:
-    """Yield an arrow about an end of one of the bars of a row, and the names that come to it.
-
-    It is about one of the fixed ``pivots``, if one of the bars ends there.  It is nearer to the
-    bars than to the ``others``, if that can be.  There is none without a free place; ``taken`` are
-    the places that are not, and ``ways`` the directions of other arrows of the row, whose sense is
-    the other one.  Its own are added to both.  It may run across strokes with half widths up to
-    ``thin``, not along them.
-    """
-    panel, number = sketch.setting.panel, sketch.setting.row(row.key)
-    ways = [] if ways is None else ways
-    place = _place(taken, bars, others, sense, ways, pivots, thin)
-    if place is None:
-        return
-    ways.append(_way(place.middle, sense.sign))
-    wide, high = ink_size(symbols(sense.text), LETTER)
-    taken.box(Placed(place.name, wide, high).box)
-    taken.line(place.line, 2.0 * PIXEL)
-    sweep = place.span * sense.sign
+def arrow_at(sketch: Sketch, row: Row, sense: Sense, place: SensePlace) -> Iterator[Item]:
+    """Yield an arrow at its place, and the names that come to it."""
+    number, sweep = sketch.setting.row(row.key), place.span * sense.sign
     arrow = sense_arrow(place.centre, place.radius, place.middle, sweep, number, size=0.8)
-    yield from with_names(arrow, sense, place.name, panel.column, number)
+    if place.name.leader:
+        arrow.insert(0, line(place.name.leader, "leader"))
+    at, letter = place.name.centre, place.letter
+    yield from with_names(arrow, sense, at, sketch.setting.panel.column, number, letter)
 
 
 def with_names(
-    arrow: Sequence[Mark], sense: Sense, at: complex, region: str, number: int | None
+    arrow: Sequence[Mark],
+    sense: Sense,
+    at: complex,
+    region: str,
+    number: int | None,
+    letter: float = LETTER,
 ) -> Iterator[Item]:
     """Yield an arrow and its names, which stand about ``at`` and come one after the other."""
     runs = symbols(sense.text)
-    text = text_at(runs, runs, at, LETTER, "term", number).shape
+    text = text_at(runs, runs, at, letter, "term", number).shape
     assert isinstance(text, Lettering)
     x = 0.0
     for count, (symbol, by, since) in enumerate(sense.names):
         said = (*(roman(", ") if count else ()), *symbols(symbol))
-        name = Mark(Lettering(said, text.at + x, LETTER), "term", number)
-        x += width(said, LETTER)
+        name = Mark(Lettering(said, text.at + x, letter), "term", number)
+        x += width(said, letter)
         marks = (name,) if count else (*arrow, name)
         yield Item(by, region, Level.LABEL, marks, since, FOREVER)
-
-
-def _place(
-    obstacles: Obstacles,
-    bars: Sequence[tuple[complex, complex]],
-    others: Sequence[tuple[complex, complex]],
-    sense: Sense,
-    ways: Sequence[complex],
-    pivots: Sequence[complex],
-    thin: float,
-) -> _Place | None:
-    """Return the nearest place that meets nothing but the link itself; None where none is free.
-
-    If it can be, the arrow points against other ``ways``: about the two ends of a link two arrows
-    of opposite senses could point the same way, and would seem to be of one sense.  And if it can
-    be, its middle is near its link, and nearer to it than to the ``others``.
-    """
-    second: dict[tuple[bool, bool], _Place] = {}
-    strange = [line for line in obstacles.lines if not any(_along(line, bar) for bar in bars)]
-    thick = Obstacles(obstacles.edge, [each for each in strange if each[2] > thin], obstacles.boxes)
-    light = Obstacles(obstacles.edge, [each for each in strange if each[2] <= thin])
-    wide, high = ink_size(symbols(sense.text), LETTER)
-    arcs = list(_arcs(bars, sense.sign, pivots))
-    centres, radii, spans, middles = (
-        np.array(each)[:, np.newaxis] for each in zip(*arcs, strict=True)
-    )
-    lines = centres + radii * np.exp(1j * np.radians(middles + spans * SHARES))
-    free = thick.free(lines.ravel(), 0.0, 0.0, CLEAR).reshape(lines.shape).all(axis=1)
-    if light.lines:
-        across = ~light.free(lines.ravel(), 0.0, 0.0, light.lines[0][2])
-        free &= across.reshape(lines.shape).sum(axis=1) <= ACROSS
-    for found in np.flatnonzero(free).tolist():
-        (at, radius, span, middle), line = arcs[found], lines[found].tolist()
-        if not obstacles.clear_of_labels([*itertools.pairwise(line)], CLEAR).all():
-            continue
-        own = Obstacles(obstacles.edge)
-        own.line(line, 2.0 * PIXEL)
-        spots = _names(at, radius, span, middle, wide, high, sense.sign)
-        spots += _ends(at, radius, span, middle, wide, high) if thin else []
-        for spot, clear in zip(
-            spots, obstacles.free(spots, wide, high, CLEARANCE, APART), strict=True
-        ):
-            if clear and own.free([spot], wide, high, 2.0 * PIXEL)[0]:
-                place = _Place(at, radius, span, middle, line, spot)
-                tip = at + cmath.rect(radius, math.radians(middle))
-                near = _off(tip, bars) <= min(FARTHEST, _off(tip, others))
-                own_way = _way(middle, sense.sign)
-                against = all((own_way * way.conjugate()).real < AGAINST for way in ways)
-                if near and against:
-                    return place
-                second.setdefault((against, near), place)
-                break
-    return second[max(second)] if second else None
-
-
-def _way(middle: float, sign: float) -> complex:
-    """Return the direction of an arrow at its middle."""
-    return cmath.rect(1.0, math.radians(middle + sign * 90.0))
-
-
-def _arcs(
-    bars: Sequence[tuple[complex, complex]], sign: float, pivots: Sequence[complex]
-) -> Iterator[tuple[complex, float, float, float]]:
-    """Yield places of arrows: centre, radius, span and middle, those on the link first."""
-    ends = [each for start, end in bars for each in ((start, end), (end, start))]
-    fixed = [(at, to) for at, to in ends if any(abs(at - each) < _OWN for each in pivots)]
-    sides = [
-        (at, math.degrees(cmath.phase(to - at)), 0.9 * abs(to - at)) for at, to in fixed or ends
-    ]
-    for away, (radius, span), (at, ahead, most) in itertools.product(AWAY, SIZES, sides):
-        if radius < most or abs(away) > 60:
-            yield at, radius, span, ahead + sign * away
-
-
-def _names(
-    at: complex, radius: float, span: float, middle: float, wide: float, high: float, sign: float
-) -> list[complex]:
-    """Return places of a name: outside of the arrow's middle and of its tail, then inside."""
-    found = []
-    for turn, side in ((0.0, 1), (-0.4, 1), (0.4, 1), (0.0, -1), (-0.4, -1)):
-        out = complex(math.cos(a := math.radians(middle + sign * turn * span)), math.sin(a))
-        found.append(beside(at + radius * out, side * out, NAMED, wide, high))
-    return found
-
-
-def _ends(
-    at: complex, radius: float, span: float, middle: float, wide: float, high: float
-) -> list[complex]:
-    """Return places of a name beyond the two ends of an arrow."""
-    found = []
-    for side in (-1.0, 1.0):
-        out = cmath.rect(1.0, math.radians(middle + side * span / 2))
-        found += [beside(at + radius * out, side * 1j * out, gap, wide, high) for gap in END_GAPS]
-    return found
-
-
-def _off(spot: complex, bars: Sequence[tuple[complex, complex]]) -> float:
-    """Return how far a spot is from the nearest of some bars."""
-    found = math.inf
-    for start, end in bars:
-        way, long = direction_of(start, end), abs(end - start)
-        along = ((spot - start) * way.conjugate()).real
-        found = min(found, abs(spot - start - min(max(along, 0.0), long) * way))
-    return found
-
-
-def _along(line: tuple[complex, complex, float, Span], bar: tuple[complex, complex]) -> bool:
-    """Tell whether an obstacle lies along a bar; its joints do not."""
-    start, end = bar
-    way, long = direction_of(start, end), abs(end - start)
-    if line[0] == line[1]:
-        return False
-    for point in line[:2]:
-        off = (point - start) * way.conjugate()
-        if abs(off.imag) > _OWN or not -_OWN <= off.real <= long + _OWN:
-            return False
-    return True

@@ -8,7 +8,7 @@ curl in the sense of the turn.  Each comes with the stroke of a polygon that fin
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from vad.kinematics.numbers import ray
 from vad.plan.items import Item
@@ -18,12 +18,12 @@ from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.marks import Mark, area, line
 from vad.plan.pictures.angles import SENSE_HEAD
+from vad.plan.pictures.sense_places import CLEAR, NAMED, Places
 from vad.plan.pictures.senses import (
-    CLEAR,
     LETTER,
-    NAMED,
     Sense,
-    arrow_near,
+    arrow_at,
+    asked,
     senses_of,
     with_names,
 )
@@ -37,9 +37,11 @@ ANGLES = ("DC.angle", "Q.angle")
 #: Axes in true direction, by their rows: a sleeve or bearing on each, and which way it points.
 AXES = {"rocker": ("D.sleeve", 1.0), "driven": ("4.bearing", -1.0)}
 #: The half width of circles and projectors: at last an arrow may cross them.
-THIN = CONSTRUCTION / 2
+THIN = CONSTRUCTION / 2 + 1e-9
 #: So long on the page is an arm, at least, about which there is room for an arc arrow.
 LEAST = 0.09
+#: An arc arrow lies at most so far from its arm: outside of the circle on which that moves.
+FARTHEST = 0.110
 #: Of an arrow along an axis: its length, and where its middle may be, aside from the axis and
 #: along it, the nearest first.
 LENGTH = 0.075
@@ -58,25 +60,36 @@ def senses_in_views(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
             sketch.obstacles.edge, [*sketch.obstacles.lines], [*sketch.obstacles.boxes]
         )
         for row in sketch.setting.sheet.rows:
-            for sense in senses_of(sketches, row):
-                here = sketch, taken, row, sense
-                ways = _about(*here), _along(*here), _about(*here, thin=THIN)
-                yield from next(filter(None, map(list, ways)), ())
+            senses, found = senses_of(sketches, row), dict[Sense, list[Item]]()
+            found |= _about(sketch, taken, row, senses)
+            for sense in senses:
+                if sense not in found and (items := [*_along(sketch, taken, row, sense)]):
+                    found[sense] = items
+            left = [sense for sense in senses if sense not in found]
+            found |= _about(sketch, taken, row, left, THIN)
+            yield from itertools.chain(*found.values())
 
 
 def _about(
-    sketch: Sketch, taken: Obstacles, row: Row, sense: Sense, thin: float = 0.0
-) -> Iterator[Item]:
-    """Yield an arc arrow about an axis that is seen as a point, if there is room for it.
+    sketch: Sketch, taken: Obstacles, row: Row, senses: Sequence[Sense], thin: float = 0.0
+) -> dict[Sense, list[Item]]:
+    """Return arc arrows about an axis that is seen as a point, as far as there is room for them.
 
-    It may run across strokes with half widths up to ``thin``.
+    They may run across strokes with smaller half widths than ``thin``.
     """
     panel = sketch.setting.panel
     names = (*ANGLES, sketch.setting.sheet.driver.angle)
+    found: dict[Sense, list[Item]] = {}
     for stroke in panel.strokes:
         shape = stroke.shape
         if stroke.name in names and stroke.link == row.key and isinstance(shape, Arc):
-            yield from arrow_near(sketch, taken, row, [_arm(sketch, row, shape)], sense, thin=thin)
+            arm = [_arm(sketch, row, shape)]
+            places = Places(sketch.obstacles, arm, (), (), thin, FARTHEST)
+            for sense, place in zip(senses, places.find(taken, asked(senses)), strict=True):
+                if place:
+                    place.block(taken)
+                    found.setdefault(sense, []).extend(arrow_at(sketch, row, sense, place))
+    return found
 
 
 def _arm(sketch: Sketch, row: Row, arc: Arc) -> tuple[complex, complex]:
@@ -101,7 +114,7 @@ def _along(sketch: Sketch, taken: Obstacles, row: Row, sense: Sense) -> Iterator
             at = sketch.scale(shape.at) + past * way + aside * left * way
             start, end = at - LENGTH / 2 * way, at + LENGTH / 2 * way
             spots = [start + (end - start) * step / 8 for step in range(9)]
-            name = beside(at, left * way, NAMED + CLEARANCE, wide, high)
+            name = beside(at, left * way, NAMED[0] + CLEARANCE, wide, high)
             if not all(taken.edge.holds(spot, -0.006) for spot in spots):
                 continue
             if not taken.free(spots, 0.0, 0.0, CLEAR).all():

@@ -1,0 +1,216 @@
+"""What a class sees of the arrows of ω and α, and of the arcs of angles, in a planar still.
+
+All is measured on the drawn page: where each arrow stands, whether it lies on a stroke that is not
+of its own link, how far it is from its link, and whether two arrows of opposite senses on one link
+can be told apart; and where the arc of an angle meets what is drawn.
+"""
+
+from __future__ import annotations
+
+import cmath
+import itertools
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from vad.plan.board import Plan
+from vad.plan.geometry import Rect
+from vad.plan.items import Item
+from vad.plan.labels.obstacles import PIXEL
+from vad.plan.lettering.runs import plain
+from vad.plan.marks import Bow, Lettering, Polygon
+from vad.plan.pictures.senses import found_senses, senses_of
+from vad.plan.sketch import Sketch
+from vad.strokes.sheet import Arc, Arrow, Plate
+
+#: An arrow farther from its link is not seen to be of it.
+FAR = 56.0 * PIXEL
+#: Nearer to a stroke, an arrow or an arc touches it.
+TOUCHES = 2.5 * PIXEL
+#: Two arrows point opposite ways if the cosine between their directions is below this.
+OPPOSITE = -0.7
+
+Bar = tuple[complex, complex]
+
+
+@dataclass(frozen=True)
+class Seen:
+    """An arrow on the page: what it names, its row, its arc, and the tip of its head."""
+
+    names: tuple[str, ...]
+    row: int | None
+    bow: Bow
+    tip: complex
+
+    @property
+    def line(self) -> list[complex]:
+        """Points along it, to its tip."""
+        return [*self.bow.line(4.0), self.tip]
+
+    @property
+    def middle(self) -> complex:
+        """The middle of its arc."""
+        half = math.radians(self.bow.start + self.bow.sweep / 2)
+        return self.bow.centre + cmath.rect(self.bow.radius, half)
+
+    @property
+    def way(self) -> complex:
+        """Where it points, at its middle."""
+        radial = self.middle - self.bow.centre
+        return 1j * math.copysign(1.0, self.bow.sweep) * radial / abs(radial)
+
+
+def arrows(items: Iterator[Item]) -> list[Seen]:
+    """Return the arrows among some items, each with the names that stand beside it."""
+    found: list[Seen] = []
+    for item in items:
+        bows = [mark for mark in item.marks if mark.role == "sense"]
+        heads = [mark.shape for mark in item.marks if mark.role == "head"]
+        texts = [mark.shape for mark in item.marks if isinstance(mark.shape, Lettering)]
+        names = tuple(plain(text.runs).removeprefix(", ") for text in texts)
+        if bows and isinstance(bows[0].shape, Bow) and isinstance(heads[0], Polygon):
+            found.append(Seen(names, bows[0].row, bows[0].shape, heads[0].rings[0][0]))
+        elif found and item.level == 7:
+            found[-1] = Seen((*found[-1].names, *names), *_rest(found[-1]))
+    return found
+
+
+def _rest(seen: Seen) -> tuple[int | None, Bow, complex]:
+    return seen.row, seen.bow, seen.tip
+
+
+def skeleton_of(board: Plan) -> Sketch | None:
+    """Return the sketch of a planar mechanism on a board."""
+    sketch = board.sketches.get("position")
+    return sketch if sketch and sketch.setting.panel.picture == "skeleton" else None
+
+
+def bars_of(sketch: Sketch, number: int | None) -> list[Bar]:
+    """Return the bars of the link of a row, and the edges of its plate, on the page."""
+    rows = sketch.setting.sheet.rows
+    key = None if number is None else rows[number].key
+    found: list[Bar] = []
+    for stroke in sketch.setting.panel.strokes:
+        if stroke.link == key and key is not None:
+            if stroke.component == "link" and isinstance(stroke.shape, Arrow):
+                found.append((sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)))
+            elif isinstance(stroke.shape, Plate):
+                corners = [sketch.scale(corner) for corner in stroke.shape.corners]
+                found += zip(corners, (*corners[1:], corners[0]), strict=True)
+    return found
+
+
+def off(spot: complex, bar: Bar) -> float:
+    """Return how far a place is from a bar."""
+    start, end = bar
+    if start == end:
+        return abs(spot - start)
+    along = ((spot - start) / (end - start)).real
+    return abs(spot - start - min(max(along, 0.0), 1.0) * (end - start))
+
+
+def nearest(spot: complex, bars: list[Bar]) -> float:
+    """Return how far a place is from the nearest of some bars."""
+    return min((off(spot, bar) for bar in bars), default=math.inf)
+
+
+def faults(board: Plan) -> Iterator[tuple[str, str]]:
+    """Yield the faults of the senses and angles of a planar still: which, and of what."""
+    sketch = skeleton_of(board)
+    if sketch is None:
+        return
+    shown = arrows(iter([*sketch.items, *found_senses(board.sketches)]))
+    named = {name for each in shown for text in each.names for name in text.split(", ")}
+    rows = [row.key for row in board.sheet.rows]
+    for row in board.sheet.rows:
+        if bars_of(sketch, rows.index(row.key)):
+            for sense in senses_of(board.sketches, row):
+                for symbol, *_ in sense.names:
+                    if symbol not in named:
+                        yield "missing", symbol
+    for each in shown:
+        yield from _of_place(sketch, each, len(rows))
+    for one, other in itertools.combinations(shown, 2):
+        if one.row == other.row and one.bow.sweep * other.bow.sweep < 0.0:
+            if (one.way * other.way.conjugate()).real > OPPOSITE:
+                yield "alike", f"{one.names} {other.names}"
+            if abs(one.bow.centre - other.bow.centre) > PIXEL:
+                yield "about two ends", f"{one.names} {other.names}"
+    yield from _of_angles(sketch)
+
+
+def _of_place(sketch: Sketch, each: Seen, rows: int) -> Iterator[tuple[str, str]]:
+    own = bars_of(sketch, each.row)
+    name = ", ".join(each.names)
+    if own:
+        if nearest(each.middle, own) > FAR:
+            yield "far", name
+        others = [bar for row in range(rows) if row != each.row for bar in bars_of(sketch, row)]
+        if nearest(each.middle, others) < nearest(each.middle, own) - PIXEL:
+            yield "nearer to another", name
+        ends = (each.bow.line()[0], each.tip)
+        if any(nearest(end, own) < 8.0 * PIXEL for end in ends):
+            yield "ends on its link", name
+    strokes = [
+        (start, end, half)
+        for start, end, half, _ in sketch.obstacles.lines
+        if not any(off(start, bar) < 0.004 and off(end, bar) < 0.004 for bar in own)
+        and not _within(each, start, end)
+    ]
+    if any(
+        off(spot, (start, end)) < half + TOUCHES
+        for spot in each.line
+        for start, end, half in strokes
+    ):
+        yield "on a stroke", name
+
+
+def _within(each: Seen, start: complex, end: complex) -> bool:
+    """Tell whether a stroke is a part of the arrow itself, as the obstacles have it."""
+    centre, radius = each.bow.centre, each.bow.radius
+    return abs(abs(start - centre) - radius) < 1e-6 and abs(abs(end - centre) - radius) < 1e-6
+
+
+def _of_angles(sketch: Sketch) -> Iterator[tuple[str, str]]:
+    """Yield the arcs of angles that cross what is drawn, and the values far from their arcs."""
+    panel = sketch.setting.panel
+    for stroke in panel.strokes:
+        if stroke.kind != "angle" or not isinstance(stroke.shape, Arc):
+            continue
+        marks = [
+            mark
+            for item in sketch.items
+            for mark in item.marks
+            if item.stroke == panel.full(stroke.name) and mark.role == "angle"
+        ]
+        bows = [mark.shape for mark in marks if isinstance(mark.shape, Bow)]
+        strokes = [each for each in sketch.obstacles.lines if not _on_circle(each, bows)]
+        spots = [spot for bow in bows for spot in bow.line(2.0)]
+        if not spots:
+            continue
+        first, last = spots[0], spots[-1]
+        inner = [z for z in spots if min(abs(z - first), abs(z - last)) > 0.016]
+        if any(
+            off(z, (start, end)) < half + 0.5 * PIXEL
+            for z in inner
+            for start, end, half, _ in strokes
+        ):
+            yield "arc crosses", stroke.label
+        value = next((tag.box for tag in sketch.tags if tag.text == stroke.label), None)
+        if value and min(_distance(value, z) for z in spots) > 20.0 * PIXEL:
+            yield "value far from arc", stroke.label
+
+
+def _on_circle(line: tuple[complex, complex, float, object], bows: list[Bow]) -> bool:
+    start, end, *_ = line
+    return start != end and any(
+        abs(abs(start - bow.centre) - bow.radius) < 1e-4
+        and abs(abs(end - bow.centre) - bow.radius) < 1e-4
+        for bow in bows
+    )
+
+
+def _distance(box: Rect, point: complex) -> float:
+    aside = max(box.left - point.real, point.real - box.right, 0.0)
+    above = max(box.bottom - point.imag, point.imag - box.top, 0.0)
+    return math.hypot(aside, above)
