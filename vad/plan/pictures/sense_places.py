@@ -38,6 +38,7 @@ BESIDE = (
     (0.110, 46.0),
     (0.130, 38.0),
     (0.155, 32.0),
+    (0.185, 27.0),
 )
 #: From the link to the middle of an arrow, of its span where it is across it, else in degrees.
 ON, OFF = (0.0, 0.12, -0.12, 0.24, -0.24), tuple(range(-180, 180, 12))

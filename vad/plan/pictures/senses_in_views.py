@@ -41,7 +41,7 @@ THIN = CONSTRUCTION / 2 + 1e-9
 #: So long on the page is an arm, at least, about which there is room for an arc arrow.
 LEAST = 0.09
 #: An arc arrow lies at most so far from its arm: outside of the circle on which that moves.
-FARTHEST = 0.110
+FARTHEST = 0.130
 #: Of an arrow along an axis: its length, and where its middle may be, aside from the axis and
 #: along it, the nearest first.
 LENGTH = 0.075

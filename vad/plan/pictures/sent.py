@@ -118,6 +118,8 @@ def _flying(marks: Iterable[Mark], number: Lettering) -> Iterator[Mark]:
             yield replace(mark, growth=Bending(tuple(own)))
         elif isinstance(mark.shape, Polygon):
             yield replace(mark, growth=_at_end(bow, own))
+        else:  # a leader comes with the name
+            yield replace(mark, growth=Fading(((NAMED[0], 0.0), (NAMED[1], 1.0))))
 
 
 def _bending(
