@@ -10,6 +10,7 @@ import pytest
 
 import vad
 from vad.errors import InputError, UsageError
+from vad.files.examples import example_path
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.items import TITLE
@@ -40,6 +41,16 @@ def test_the_subtitle_stands_below_the_title_and_neither_meets_the_parameters(si
     assert above.at.imag - below.at.imag > below.size
     assert above.at.real + width(above.runs, above.size) < given.at.real
     assert below.at.real + width(below.runs, below.size) < given.at.real
+
+
+def test_many_parameters_beside_a_long_title_stand_in_three_lines():
+    sheet = vad.draw(vad.solve(vad.load(example_path("beam-engine"))()))
+    name, *given = titles(sheet, (960, 720)).values()
+    assert len({line.at.imag for line in given}) == 3
+    for line in given:
+        assert line.size > 0.019
+        assert line.at.imag + 0.75 * line.size < 1.0
+        assert line.at.real > name.at.real + width(name.runs, name.size)
 
 
 def test_a_title_without_a_subtitle_stands_where_the_name_stood():

@@ -36,6 +36,7 @@ SUBTITLE_DROP, SUBTITLE_PITCH = 0.010, 0.038
 PARAMETERS = 0.032
 LEAST_PARAMETERS = 0.028
 SMALLEST_PARAMETERS = 0.014  # beside a long title
+IN_THREE = 0.0195  # much smaller ones stand in three lines, which are no larger
 EQUATION_SIZE = 0.036
 LEAST_EQUATION = 0.034  # below this a loop takes two lines
 SPACE = 0.24  # about a sign, in type sizes
@@ -88,7 +89,7 @@ def _head(panel: Panel, place: PanelPlace, size: float) -> list[Mark]:
 
 
 def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
-    """Return the title and the parameters, which take two lines where one has no room.
+    """Return the title and the parameters, which take two or three lines where one has no room.
 
     A subtitle stands below the title, which moves up for it.
 
@@ -112,6 +113,10 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
     rows = [items] if _widest([items]) * LEAST_PARAMETERS <= room else halves
     largest = PARAMETERS if len(rows) == 1 else LEAST_PARAMETERS
     size = min(largest, room / max(_widest(rows), 1e-9))
+    if size < 0.8 * IN_THREE:
+        third = -(-len(items) // 3)
+        rows = [row for n in range(3) if (row := items[n * third : (n + 1) * third])]
+        size = min(IN_THREE, room / _widest(rows))
     *below, above = named
     marks = [Mark(above, "words"), *(Mark(each, "notes") for each in below)]
     for depth, row in enumerate(reversed(rows)):
