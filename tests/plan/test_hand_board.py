@@ -162,3 +162,18 @@ def test_each_vertex_has_its_letters_in_every_pose() -> None:
     names = {(label.panel, label.name) for label in board_of("four-bar").labels}
     assert {("position", letter) for letter in "ABCD"} < names
     assert {("acceleration", each) for each in ("b′ₙ", "b′", "cₙ", "c″ₙ", "c′", "a′, d′")} < names
+
+
+def test_the_arrow_of_a_velocity_lies_on_no_link_in_any_pose() -> None:
+    """Beside the block of a lift there is room in each pose, but seldom the same."""
+    board = board_of("scissor-lift")
+    picture: Any = next(iter(board.live.pictures.values()))
+    sketch, driver = board.sketches["position"], board.traced.sheet.driver.stroke
+    arrow: Any = next(m.shape for item in sketch.items for m in item.marks if m.role == "speed")
+    block = plain(sketch.solved.point((driver, "at")))
+    ends = [plain(z) - plain(board.scales["position"](block)) for z in arrow.pieces[0]]
+    assert len(picture.posed) > 5
+    for solved, drawn in picture.posed:
+        at = picture.scale(solved.point((driver, "at")))
+        line = [at + plain(ends[0] + share * (ends[-1] - ends[0])) for share in (0.0, 0.5, 1.0)]
+        assert drawn.free([complex(z) for z in line], 0.0, 0.0, 0.005).all()

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from vad.kinematics.numbers import direction, fold
-from vad.plan.anchors import RIGHT, Anchor, AngleArc, Arch, Area, Hung, Term
+from vad.plan.anchors import RIGHT, Anchor, AngleArc, Arch, Area, Hung, Solved, Term
 from vad.plan.items import Level
 from vad.plan.labels.choices import RATE, MovingLabels
 from vad.plan.labels.obstacles import Obstacles
@@ -321,8 +321,11 @@ def curved_arrow(
     return Bow(0j, radius, start, sweep - turn), [tip, root + half, notch, root - half]
 
 
-def add_speed(sketch: Sketch, size: float) -> None:
-    """Add the arrow of the given velocity beside the block or actuator that is driven."""
+def add_speed(sketch: Sketch, size: float, poses: Iterable[tuple[Solved, Obstacles]] = ()) -> None:
+    """Add the arrow of the given velocity beside the block or actuator that is driven.
+
+    Under the hand it is where it meets the least of what is drawn in some ``poses``.
+    """
     setting, obstacles, driver = sketch.setting, sketch.obstacles, sketch.setting.sheet.driver
     number = setting.panel.find(driver.stroke)
     if number is None or not driver.speed:
@@ -339,9 +342,20 @@ def add_speed(sketch: Sketch, size: float) -> None:
     way, place = solved.way(stroke.name), solved.place(middle) * abs(sense)
     runs = symbols("v")
     wide, high = ink_size(runs, RATE)
-    for (aside, past), left in itertools.product(SPEED_PLACES, (1j, -1j)):
-        off = (half + aside) * left * along + past * along
-        at = place + (half + aside) * left * way + past * way
+    places = [(half + aside, past, left) for aside, past in SPEED_PLACES for left in (1j, -1j)]
+    met = np.zeros(len(places))
+    steps = np.linspace(-SPEED_LENGTH / 2, SPEED_LENGTH / 2, 9)
+    for posed, drawn in poses:
+        offs = np.array([aside * left + past for aside, past, left in places])[:, np.newaxis]
+        points = posed.place(middle) + (offs + steps) * posed.way(stroke.name)
+        met += (
+            (~drawn.free(points.ravel().tolist(), 0.0, 0.0, SPEED_CLEAR))
+            .reshape(points.shape)
+            .any(1)
+        )
+    for aside, past, left in (places[number] for number in met.argsort(kind="stable")):
+        off = aside * left * along + past * along
+        at = place + aside * left * way + past * way
         ahead = SPEED_LENGTH / 2 * sense * way
         start, end = at - ahead, at + ahead
         line = [start + (end - start) * step / 8 for step in range(9)]

@@ -189,6 +189,14 @@ class Skeleton:
         return angles.calm_place(zip(centres, crowds, strict=True)) if centres else None
 
     @cached_property
+    def posed(self) -> list[tuple[Solved, Obstacles]]:
+        """Each pose with what is drawn in it."""
+        if self._before:
+            return self._before.posed
+        poses = (Solved(pose, self.scale) for pose in self._poses)
+        return list(zip(poses, self.crowds, strict=True))
+
+    @cached_property
     def couples(self) -> dict[str, angles.SensePlace]:
         """Where each curved arrow stands in all poses."""
         if self._before:
@@ -295,7 +303,7 @@ class Skeleton:
             for index, stroke in enumerate(panel.strokes):
                 if is_curved_arrow(stroke):
                     add_couple(sketch, index, *free_couple(sketch, index))
-        angles.add_speed(sketch, self.size)
+        angles.add_speed(sketch, self.size, self.posed if sketch.finished else ())
 
     def _add_pivots(self, sketch: Sketch, vertices: Sequence[Vertex]) -> None:
         """Add the fixed pivots of a still, and let labels keep clear of them."""

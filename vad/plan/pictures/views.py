@@ -252,6 +252,7 @@ class Views:
         place = self._sense(math.copysign(1.0, omega)) if omega else None
         if index is not None and place:
             angles.add_sense(sketch, index, setting.panel.strokes[index], place)
+            angles.block_sense(sketch, setting.panel.strokes[index], place)
 
     def _sense(self, sense: float) -> angles.SensePlace | None:
         """Return the place of the arrow of ω: to look for it takes as long as all else."""
