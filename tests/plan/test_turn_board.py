@@ -285,3 +285,18 @@ def test_a_polygon_makes_way_for_the_speeds_over_a_turn():
             for end in (stroke.shape.start, stroke.shape.end)
         ]
         assert not any(box.holds(end) for end in strokes)
+
+
+def test_of_many_hodographs_a_film_has_those_of_crank_and_output_and_the_tails_of_all():
+    turn = vad.turn(vad.load(example_path("watt-1"))(), panels="velocity")
+    film, still = TurnBoard(turn), NumberedTurn(turn)
+    panel, shown = film.panels["velocity"], film.shown(0)
+    assert {spot.letter for spot in panel.ways} == set("bcefg")
+    assert len(marks(still.shown(0), "hodograph", "velocity")) == 5
+    drawn = points(marks(shown, "hodograph", "velocity"))
+    for spot in panel.ways:
+        way = panel.hodographs.tracks[spot]
+        seen = all(np.abs(np.array(drawn) - z).min() < 0.01 for z in way[::40])
+        assert seen == (spot.letter in "bg"), spot
+    tails = {mark.row for mark in marks(shown, "tail", "velocity")}
+    assert tails >= {panel.hodographs.row(spot) for spot in panel.ways}

@@ -24,10 +24,13 @@ from vad.plan.pictures.polygon import Polygon
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turn_labels import TurnLabels, grouped
 from vad.plan.turn_lens import TurnLens, find_lens, with_lens
+from vad.strokes.diagram import Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel
 
 #: The share of ink of links that have nothing to do with the point that is followed.
 FAINT = 0.38
+#: So many hodographs can be told apart.
+MOST_WAYS = 4
 #: So far the ground reaches beyond the path of a foot, and lies below it.
 GROUND, GROUND_BELOW = 0.05, 0.010
 
@@ -71,6 +74,7 @@ class TurnPanel:
             for each in drawn
             if each.path in ("drawn", "bare") and not (is_place and each in straight)
         ]
+        self._whole = self._followable(cycle, is_place, poses[0])
         self._stance = self._stands(cycle, is_place)
         self._faint = _unconcerned(setting, cycle) if is_place else frozenset()
         groups = grouped(self.hodographs, self.ways)
@@ -82,7 +86,7 @@ class TurnPanel:
 
     def still(self) -> list[Item]:
         """Return the items that are the same in all poses."""
-        ways = [*self.hodographs.still(self.ways), *self._stance]
+        ways = [*self.hodographs.still(self._whole), *self._stance]
         region = self._setting.panel.column
         found = [Item("", region, Level.GROUND, tuple(ways))] if ways else []
         return [*found, *self.picture.still.items]
@@ -105,6 +109,17 @@ class TurnPanel:
         if item.stroke not in self._faint or item.level == Level.DOT:
             return item
         return replace(item, marks=tuple(replace(m, alpha=FAINT * m.alpha) for m in item.marks))
+
+    def _followable(self, cycle: Cycle, is_place: bool, pose: Panel) -> list[Spot]:
+        """Return the letters whose whole path is drawn; of the others a film has the last part.
+
+        Of many hodographs those of the driver and the output are drawn: nobody could follow more.
+        """
+        if is_place or not self._setting.lenses or len(self.ways) <= MOST_WAYS:
+            return self.ways
+        kept, shown = {cycle.driver, cycle.output}, (*pose.strokes, *pose.zeros)
+        heads = {s.shape.head for s in shown if isinstance(s.shape, Arrow) and s.link in kept}
+        return [spot for spot in self.ways if spot.letter in heads]
 
     def _stands(self, cycle: Cycle, is_place: bool) -> list[Mark]:
         """Return the part of a path in which a foot stands, and the ground below it."""
@@ -130,7 +145,7 @@ class TurnPanel:
         """Return what labels keep clear of in all poses."""
         sketches = [self.picture.pose(pose) for pose in poses]
         ways = Obstacles(self.room)
-        for mark in [*self.hodographs.still(self.ways), *self._stance]:
+        for mark in [*self.hodographs.still(self._whole), *self._stance]:
             for piece in mark.shape.pieces:  # type: ignore[union-attr]
                 ways.line(piece, 0.0)
         obstacles = [sketch.obstacles for sketch in sketches]
