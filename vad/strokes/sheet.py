@@ -4,9 +4,8 @@ Nothing here knows colours, times or pixels; the shapes are those of `vad.stroke
 Coordinates are complex numbers in the panel's own unit (mm, mm/s, mm/s² …) with x to the right and
 y up; the pole of a polygon is the origin.
 
-Every stroke has a name, unique in its panel and the same in every pose.  It is written from its
-`StrokePart`: the ends of a step of the linkage and what is drawn of it, or a point's letter and how
-it is found.
+Every stroke has a name, unique in its panel and alike in all poses.  It is written from its
+`StrokePart`: the ends of a step and what is drawn of it, or a point's letter and how it is found.
 
 =========================  ====================================================================
 position                   ``A.fixed``, ``C.found``; ``DC.guide``, ``CB.slot``, ``DC.block``,
@@ -242,10 +241,7 @@ class ImageTriangle:
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """A text near the point ``at`` that belongs to no stroke: "seen along shaft 2".
-
-    ``comes`` is the name of the stroke with which it comes; without one it is there at once.
-    """
+    """A text near ``at``: "seen along D".  It comes with the stroke ``comes``, if that is named."""
 
     at: complex
     text: str
