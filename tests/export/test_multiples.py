@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
@@ -16,7 +17,9 @@ from vad.errors import AssemblyError, InputError, UsageError
 from vad.files.examples import example_path
 from vad.lecture.moment import Moment
 from vad.painting.posed import posed
+from vad.plan.board import reach
 from vad.plan.format import paper, screen
+from vad.plan.items import Level
 from vad.plan.marks import Lettering
 from vad.plan.multiples_board import LOWEST, NARROWEST, MultiplesBoard
 from vad.plan.reach import corners, extent
@@ -84,6 +87,21 @@ def test_a_small_polygon_fills_its_cell_and_says_how_much_it_is_enlarged() -> No
         assert max(drawn.real / room.width, drawn.imag / room.height) > 0.3
     factors = [sketch.scale.factor for sketch in sketches]
     assert factors == pytest.approx([4 * factors[2], 4 * factors[2], factors[2]])
+
+
+def test_no_letter_stands_on_the_words_of_an_enlarged_polygon() -> None:
+    leg = vad.multiples(
+        vad.load(example_path("jansen-leg"))(), (0, 20, 40, 60, 180), "acceleration"
+    )
+    page = MultiplesBoard(leg, screen((960, 720)))
+    (last,) = [item for item in page.at(Moment(0)) if item.level == Level.LABEL and not item.stroke]
+    notes = [reach([replace(last, marks=(mark,))]) for mark in last.marks]
+    tags = [tag.box for found in page.sketches for tag in found["acceleration"].tags]
+    assert notes and tags
+    for box in tags:
+        for note in notes:
+            aside = box.left >= note.right or box.right <= note.left
+            assert aside or box.bottom >= note.top or box.top <= note.bottom
 
 
 def test_titles_are_the_places_of_the_driver_as_given() -> None:
