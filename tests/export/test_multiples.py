@@ -90,13 +90,11 @@ def test_a_small_polygon_fills_its_cell_and_says_how_much_it_is_enlarged() -> No
 
 
 def test_no_letter_stands_on_the_words_of_an_enlarged_polygon() -> None:
-    leg = vad.multiples(
-        vad.load(example_path("jansen-leg"))(), (0, 20, 40, 60, 180), "acceleration"
-    )
-    page = MultiplesBoard(leg, screen((960, 720)))
-    (last,) = [item for item in page.at(Moment(0)) if item.level == Level.LABEL and not item.stroke]
-    notes = [reach([replace(last, marks=(mark,))]) for mark in last.marks]
-    tags = [tag.box for found in page.sketches for tag in found["acceleration"].tags]
+    bars = vad.multiples(vad.load(example_path("watt-1"))(), (0, 60, 120, 180))
+    page = MultiplesBoard(bars, screen((960, 720)))
+    rows = [item for item in page.at(Moment(0)) if item.level == Level.LABEL and not item.stroke]
+    notes = [reach([replace(row, marks=(mark,))]) for row in rows for mark in row.marks]
+    tags = [tag.box for found in page.sketches for each in found.values() for tag in each.tags]
     assert notes and tags
     for box in tags:
         for note in notes:
