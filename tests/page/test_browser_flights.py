@@ -170,6 +170,25 @@ def test_the_next_key_lands_it_and_a_switch_lets_a_pencil_draw(lever: Page) -> N
     lever.locator(".travels").evaluate("(each) => { each.checked = true; }")
 
 
+def test_links_that_it_does_not_come_from_are_pale(lever: Page) -> None:
+    number = next(place for place, each in FLIGHTS.items() if each[1] == "normal")
+    inks = """(pale) => [...new Set([...document.querySelectorAll(
+      `.drawing > svg :is(path, circle, text)${pale ? ".pale" : ":not(.pale)"}`)]
+      .filter((each) => !each.closest(".hand") && each.getBoundingClientRect().width)
+      .map((each) => getComputedStyle(each).stroke))]"""
+    keys = (
+        "() => [...document.querySelectorAll('.key path')].map((e) => getComputedStyle(e).stroke)"
+    )
+    scrub(lever, number + 0.4)
+    own = lever.locator(".air g:last-child > path").first.evaluate(
+        "(each) => getComputedStyle(each).stroke"
+    )
+    pale, rows = lever.evaluate(inks, True), lever.evaluate(keys)
+    assert own in rows and own not in pale and len({*rows} & {*pale}) >= 2
+    scrub(lever, number)
+    assert lever.locator(".pale").count() == 0
+
+
 def test_a_rate_that_is_found_flies_to_its_sense(lever: Page) -> None:
     number, (_, seconds) = next(iter(parts(LESSON).data["sent"].items()))
     assert seconds == 1.6

@@ -380,7 +380,7 @@ function docked(root, body, player) {
   player.on(root, "vad:stage", arranged);
   if (player.large[0] >= 0) arranged();
   body.on(shown);
-  dragged(root, body, begin, commit);
+  dragged(root, body, begin, () => { commit(); player.fit(); });
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
 
   return {

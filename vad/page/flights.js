@@ -21,7 +21,7 @@ function flights(root) {
   air.setAttribute("class", "air");
   air.setAttribute("aria-hidden", true);
   const filled = (mark) => getComputedStyle(mark).fill !== "none";
-  let hidden = [];
+  let hidden = [], pale = [], shown = null;
 
   function flight([, kind, phases, from, turn, tilt, oblique, ...places], marks, svgs, beat) {
     const to = marks[0]?.ownerSVGElement, source = svgs[from];
@@ -48,7 +48,7 @@ function flights(root) {
     // An area shows when its stroke is done, an arrow grows.
     const all = kind === "area" ? [...to.querySelectorAll(`[data-s="${beat + 1}"] > path`)].filter((each) => each.closest(".scene") === marks[0].closest(".scene")) : marks;
     const tip = all.find((each) => each.localName === "path" && filled(each)), shaft = kind !== "area" && tip?.previousElementSibling;
-    return tip ? { kind, to, start, way, unit, legs, phases, marks, tip, shaft } : null;
+    return tip ? { kind, source, to, start, way, unit, legs, phases, marks, tip, shaft } : null;
   }
 
   // Where its start is after some time, its factor, and by how much it is turned clockwise.
@@ -94,7 +94,20 @@ function flights(root) {
     return `<g transform="scale(${unit})"><path class="${path}" d="M${line}"/>${docks ? `<circle class="${ring}" cx="${x / unit}" cy="${y / unit}" r="${radius}"/>` : ""}</g>`;
   }
 
+  // While something flies, the links that it does not come from are pale.
+  function light({ source, tip, shaft } = {}) {
+    if (tip === shown) return;
+    pale.forEach((each) => each.classList.remove("pale"));
+    [pale, shown] = [[], tip];
+    if (!tip) return;
+    const ink = (mark) => ["stroke", "fill"].map((each) => getComputedStyle(mark)[each]), [own] = ink(shaft || tip);
+    const inks = [...root.querySelectorAll(".key path")].flatMap((each) => ink(each)[0]).filter((each) => each !== own);
+    pale = [...source.querySelectorAll(`:scope > ${source.closest(".grand") ? ".scene" : "g:not(.scene, .hand, .grip)"} :is(path, circle, text)`)].filter((mark) => ink(mark).some((each) => inks.includes(each)));
+    pale.forEach((each) => each.classList.add("pale"));
+  }
+
   function draw(flight, share, looks) {
+    light(flight ?? {});
     hidden.forEach((each) => each.classList.remove("aloft"));
     hidden = flight ? flight.marks.map((each) => each.parentNode) : [];
     hidden.forEach((each) => each.classList.add("aloft"));

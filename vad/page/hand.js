@@ -186,6 +186,7 @@ function dragged(root, body, take, gone) {
   ring.addEventListener("pointerdown", (event) => {
     if (event.button) return;
     ring.setPointerCapture(event.pointerId);
+    root.classList.add("gripped");
     take();
     body.rest();
     within = null;
@@ -199,5 +200,5 @@ function dragged(root, body, take, gone) {
     body.move(kind === "angle" ? by - 360 * Math.round(by / 360) : by, snap);
   });
   for (const name of ["pointerup", "pointercancel"])
-    ring.addEventListener(name, () => { if (from !== null) { from = null; gone(); } });
+    ring.addEventListener(name, () => { if (from !== null) { from = null; root.classList.remove("gripped"); gone(); } });
 }

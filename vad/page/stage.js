@@ -9,8 +9,8 @@
 const MOST_SMALL = .8, CROWD = 10;
 
 function staging(root, calm) {
-  const all = (selector) => [...root.querySelectorAll(selector)], roomy = matchMedia("(min-width: 48rem)");
-  let lesson, views = [], panel = -1, large = -1;
+  const all = (selector) => [...root.querySelectorAll(selector)], roomy = matchMedia("screen and (min-width: 48rem)");
+  let lesson, views = [], panel = -1, large = -1, printed = false;
 
   // Where a place of a panel on the sheet stands in the window: a factor, and a shift right and down.
   function seen(picture, i) {
@@ -33,26 +33,28 @@ function staging(root, calm) {
   }
 
   // Each panel shows a part of its picture: the large one all of its room, a thumbnail what is drawn on the
-  // sheet, unless a hand may move that. Letters of thumbnails, and the large one's scale bar, follow.
+  // sheet, unless a hand may move that; but while it is dragged nothing shifts. Letters of thumbnails, and
+  // the large one's scale bar, follow.
   function fit() {
-    const u = parseFloat(root.style.getPropertyValue("--wide")) / 1280, held = root.classList.contains("turned");
+    const u = parseFloat(root.style.getPropertyValue("--wide")) / 1280, held = root.matches(".turned:not(.gripped)");
     lesson.pictures.forEach((picture, i) => {
       const [view, factor, , , , ink] = lesson.large?.[i] ?? [], { clientWidth: width, clientHeight: height } = picture.parentNode;
       if (!view) return;
-      const panel = picture.closest(".panel"), { style } = panel.querySelector(".top"), small = large >= 0 && i !== large;
+      const panel = picture.closest(".panel"), top = panel.querySelector(".top"), small = large >= 0 && i !== large;
       const [x, y, wide, high] = (i === large ? view : small && !held ? ink : views[i]).split(" ").map(Number);
       const size = Math.min(width / wide, height / high, small ? MOST_SMALL * u : Infinity);
       const across = small ? width / size : wide, up = small ? height / size : high;
       picture.setAttribute("viewBox", large < 0 || !(size > 0) ? views[i] : [x + (wide - across) / 2, y + (high - up) / 2, across, up].map((each) => each.toFixed(2)).join(" "));
-      for (const [owner, name, value] of [[panel.style, "--k", small && size / u], [style, "--s", i === large && `${size}px`], [style, "--q", i === large && factor]])
+      for (const [owner, name, value] of [[panel.style, "--k", small && size / u], [top.style, "--s", i === large && `${size}px`], [top.style, "--q", i === large && factor]])
         if (value) owner.setProperty(name, value);
         else owner.removeProperty(name);
+      if (!top.style.length) top.removeAttribute("style");
     });
   }
   const fitted = new ResizeObserver(fit);
 
   function draw() {
-    const next = roomy.matches && !root.classList.contains("large") && lesson.large?.length ? panel : -1, other = next !== large;
+    const next = roomy.matches && !printed && !root.classList.contains("large") && lesson.large?.length ? panel : -1, other = next !== large;
     large = next;
     lesson.pictures.forEach((picture, i) => picture.closest(".panel")?.classList.toggle("grand", i === large));
     fit();
@@ -60,13 +62,15 @@ function staging(root, calm) {
   }
 
   // Copies of all pictures where they are, which fade: who wants no motion sees one picture become another.
+  // They are no drawings: no other script may take them for such.
   function fading(pictures, timing) {
     const home = document.createElement("div");
+    all(".ghost").forEach((each) => each.parentNode.remove());
     home.ariaHidden = true;
     for (const picture of pictures) {
       const { left, top, width, height } = picture.getBoundingClientRect(), frame = document.createElement("div"), copy = picture.cloneNode(true);
       if (!width) continue;
-      frame.className = `drawing ghost ${["grand", "small"].filter((each) => picture.closest(`.${each}`)).join(" ")}`;
+      frame.className = `ghost ${["grand", "small"].filter((each) => picture.closest(`.${each}`)).join(" ")}`;
       copy.querySelectorAll(".hand, .grip").forEach((each) => each.remove());
       copy.style.cssText = `position: fixed; left: ${left}px; top: ${top}px; width: ${width}px; height: ${height}px; margin: 0`;
       frame.append(copy);
@@ -102,6 +106,7 @@ function staging(root, calm) {
 
   const over = new AbortController();
   roomy.addEventListener("change", draw, { signal: over.signal });
+  for (const name of ["beforeprint", "afterprint"]) addEventListener(name, () => { printed = name === "beforeprint"; draw(); }, { signal: over.signal });
   return {
     load, to, draw,
     // Whether a mark is in the picture that its panel shows, on the sheet or large.
