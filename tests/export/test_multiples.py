@@ -21,7 +21,7 @@ from vad.plan.board import reach
 from vad.plan.format import paper, screen
 from vad.plan.items import Level
 from vad.plan.marks import Lettering
-from vad.plan.multiples_board import LOWEST, NARROWEST, MultiplesBoard
+from vad.plan.multiples_board import LOWEST, NARROWEST, NARROWEST_VIEWS, MultiplesBoard
 from vad.plan.reach import corners, extent
 
 PLACES = {
@@ -87,6 +87,13 @@ def test_a_small_polygon_fills_its_cell_and_says_how_much_it_is_enlarged() -> No
         assert max(drawn.real / room.width, drawn.imag / room.height) > 0.3
     factors = [sketch.scale.factor for sketch in sketches]
     assert factors == pytest.approx([4 * factors[2], 4 * factors[2], factors[2]])
+
+
+def test_views_have_room_for_their_notes() -> None:
+    page = MultiplesBoard(vad.multiples(vad.RSSR(), (0, 90, 180), "position"), screen((960, 720)))
+    for found in page.sketches:
+        assert not _in_panel(found["position"])
+        assert found["position"].setting.room.width >= NARROWEST_VIEWS * 0.999
 
 
 def test_no_letter_stands_on_the_words_of_an_enlarged_polygon() -> None:

@@ -35,6 +35,8 @@ from vad.strokes.sheet import Cell, Panel, Sheet
 
 #: The least room of a picture, for which all type on the page shrinks.
 NARROWEST, LOWEST = 0.36, 0.33
+#: That of views, beside which there are notes.
+NARROWEST_VIEWS, LOWEST_VIEWS = 0.43, 0.37
 #: So many times as large as its row is a polygon drawn, if that has room.
 ENLARGED = (8, 4, 2, 1)
 ENLARGED_SIZE, ENLARGED_DROP, ENLARGED_GAP = 0.026, 0.032, 0.012
@@ -67,7 +69,9 @@ class MultiplesBoard:
     def __init__(self, multiples: Multiples, form: Format) -> None:
         self._multiples = multiples
         first, count = multiples.sheets[0], len(multiples.sheets)
-        self._aside, self.form = _with_room(form, count, len(first.panels))
+        views = any(panel.picture == "views" for panel in first.panels)
+        least = (NARROWEST_VIEWS, LOWEST_VIEWS) if views else (NARROWEST, LOWEST)
+        self._aside, self.form = _with_room(form, count, len(first.panels), least)
         self._gaps = DRAWING_BESIDE if self._aside else DRAWING
         self._room = (self._span - (count - 1) * GUTTER) / count
         self._page = self._laid_out()
@@ -266,16 +270,18 @@ def _reading(cell: Cell, notation: Notation) -> Runs:
     )
 
 
-def _with_room(form: Format, columns: int, rows: int) -> tuple[float, Format]:
+def _with_room(
+    form: Format, columns: int, rows: int, least: tuple[float, float]
+) -> tuple[float, Format]:
     """Return the room for heads beside the rows, and the format in which pictures have theirs.
 
-    Its page unit is so small that every picture has the room that it needs.  Heads stand beside the
-    rows if that leaves a larger unit.
+    Its page unit is so small that every picture has the ``least`` room that it needs.  Heads stand
+    beside the rows if that leaves a larger unit.
     """
 
     def share(aside: float, gaps: tuple[float, float]) -> float:
-        wide = (form.width - 2 * MARGIN + GUTTER) / (columns * (NARROWEST + GUTTER) + aside)
-        return min(1.0, wide, _pitch(form, rows) / (LOWEST + sum(gaps)))
+        wide = (form.width - 2 * MARGIN + GUTTER) / (columns * (least[0] + GUTTER) + aside)
+        return min(1.0, wide, _pitch(form, rows) / (least[1] + sum(gaps)))
 
     above, beside = share(0.0, DRAWING), share(ASIDE, DRAWING_BESIDE)
     unit = max(above, beside)
