@@ -18,7 +18,7 @@ from vad.plan.geometry import Rect
 from vad.plan.items import Item
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lettering.runs import plain
-from vad.plan.marks import Bow, Lettering, Polygon
+from vad.plan.marks import Bow, Lettering, Polygon, Polyline
 from vad.plan.pictures.senses import found_senses, senses_of
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Arrow, Plate
@@ -183,9 +183,15 @@ def _of_angles(sketch: Sketch) -> Iterator[tuple[str, str]]:
             for mark in item.marks
             if item.stroke == panel.full(stroke.name) and mark.role == "angle"
         ]
-        bows = [mark.shape for mark in marks if isinstance(mark.shape, Bow)]
-        strokes = [each for each in sketch.obstacles.lines if not _on_circle(each, bows)]
-        spots = [spot for bow in bows for spot in bow.line(2.0)]
+        centre = sketch.scale(stroke.shape.centre)
+        spots: list[complex] = []
+        for mark in marks:
+            if isinstance(mark.shape, Bow):
+                spots += mark.shape.line(2.0)
+            elif isinstance(mark.shape, Polyline):
+                spots += [spot for piece in mark.shape.pieces for spot in piece]
+        radius = abs(spots[0] - centre) if spots else 0.0
+        strokes = [each for each in sketch.obstacles.lines if not _on_circle(each, centre, radius)]
         if not spots:
             continue
         first, last = spots[0], spots[-1]
@@ -201,13 +207,11 @@ def _of_angles(sketch: Sketch) -> Iterator[tuple[str, str]]:
             yield "value far from arc", stroke.label
 
 
-def _on_circle(line: tuple[complex, complex, float, object], bows: list[Bow]) -> bool:
+def _on_circle(
+    line: tuple[complex, complex, float, object], centre: complex, radius: float
+) -> bool:
     start, end, *_ = line
-    return start != end and any(
-        abs(abs(start - bow.centre) - bow.radius) < 1e-4
-        and abs(abs(end - bow.centre) - bow.radius) < 1e-4
-        for bow in bows
-    )
+    return start != end and all(abs(abs(z - centre) - radius) < 1e-4 for z in (start, end))
 
 
 def _distance(box: Rect, point: complex) -> float:

@@ -124,7 +124,7 @@ def posed(name: str, place: int) -> Plan:
 def test_each_rate_is_seen_on_its_link_and_opposite_ones_are_told_apart(name, place):
     found = Counter(fault for fault, _ in faults(posed(name, place)))
     assert found["missing"] <= CROWDED.get(name, 0)
-    for fault in ("alike", "far", "ends on its link"):
+    for fault in ("alike", "far", "ends on its link", "arc crosses"):
         assert not found[fault]
 
 

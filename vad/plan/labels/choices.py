@@ -37,7 +37,8 @@ SHARES = (
     *(0.45, 0.55, 0.35, 0.65, 0.25, 0.75, 0.15, 0.85, 0.05, 0.95),
     *(0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9),
 )
-VALUE_GAPS = (0.011, 0.016, 0.022, 0.032, 0.045)
+#: Farther off, a value would not be seen to be that of its arc.
+VALUE_GAPS = (0.011, 0.016, 0.022, 0.027)
 #: Of a value beside its arc: its size, and whether it is outside of it.
 ANGLE_CHOICES = ((VALUE, True), (VALUE, False), (VALUE * SMALLER, True), (VALUE * SMALLER, False))
 #: The size of the name of a given rate.

@@ -22,7 +22,7 @@ from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside, beyond_cir
 from vad.plan.labels.vertices import text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
-from vad.plan.marks import Bow, Mark, Trimming, area
+from vad.plan.marks import Bow, Mark, Polyline, Trimming, area
 from vad.plan.pictures import machine
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH, Vector
 from vad.plan.reach import is_yoke
@@ -37,6 +37,9 @@ SHARE_IN_YOKE = 0.6  # where slot and block hide what is farther out
 #: An arc that touches other strokes may be smaller; near its ends it meets its own.
 SMALLER_ARCS, SMALLEST_ARC, ENDS = (0.88, 0.76), 0.058, 0.012
 OFF_STROKES = 0.005
+#: Of an arc that is interrupted: from a stroke to its parts, the shortest of them, and the angle in
+#: degrees between the places that are looked at.
+GAP, LEAST_PART, STEP = 0.006, 0.018, 1.5
 SENSE_SIZES = (  # radius and span, the best first
     (0.062, 78.0),
     (0.074, 78.0),
@@ -110,6 +113,27 @@ def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
             radius = _radius(panel, shape, scale)
             found.line(Bow(scale(shape.centre), radius, shape.start, shape.sweep).line(), LINE / 2)
     return found
+
+
+def interrupted(sketch: Sketch, bow: Bow) -> Mark:
+    """Return the arc of an angle with gaps where it would cross what is drawn, but at its ends."""
+    steps = max(2, math.ceil(abs(bow.sweep) / STEP))
+    turns = np.radians(bow.start + bow.sweep * np.linspace(0.0, 1.0, steps + 1))
+    spots = bow.centre + bow.radius * np.exp(1j * turns)
+    strokes = Obstacles(sketch.obstacles.edge.inside(-1.0))
+    strokes.lines = [each for each in sketch.obstacles.lines if not _runs_along(each, bow)]
+    kept = strokes.free(spots.tolist(), 0.0, 0.0, GAP)
+    kept |= np.minimum(abs(spots - spots[0]), abs(spots - spots[-1])) < ENDS
+    runs = [[*run] for there, run in itertools.groupby(range(steps + 1), kept.__getitem__) if there]
+    shown = [run for run in runs if (len(run) - 1) / steps * bow.length >= LEAST_PART]
+    whole = kept.all() or not shown
+    shape = bow if whole else Polyline(tuple(tuple(spots[run].tolist()) for run in shown))
+    return Mark(shape, "angle", growth=Trimming())
+
+
+def _runs_along(line: tuple[complex, complex, float, object], bow: Bow) -> bool:
+    """Tell whether a stroke is a part of an arc."""
+    return all(abs(abs(end - bow.centre) - bow.radius) < 1e-6 for end in line[:2])
 
 
 def bow_of(sketch: Sketch, arc: Hung) -> Bow:
