@@ -390,9 +390,10 @@ def table(plan: Plan, key: float, inker: Inker, words: RunWriter) -> str:
     columns = "".join(f'<col style="width:{100 * each / sum(widths):.2f}%">' for each in widths)
     legend = words.of(roman(say("legend"))) if _has_given(sheet.rows) else ""
     return (
-        f'<table role="table"><caption class="unseen">{words.of(roman(say("results")))}</caption>'
+        '<div class="rows"><table role="table">'
+        f'<caption class="unseen">{words.of(roman(say("results")))}</caption>'
         f'<colgroup>{columns}</colgroup><thead class="unseen"><tr><td></td>{heads}</tr></thead>'
-        f'<tbody role="rowgroup">{rows}</tbody></table><p class="legend">{legend}</p>'
+        f'<tbody role="rowgroup">{rows}</tbody></table></div><p class="legend">{legend}</p>'
     )
 
 

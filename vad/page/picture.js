@@ -150,16 +150,18 @@ function picture(root, solve, data) {
       if (part < 1) style.setProperty("--fit", part * (style.getPropertyValue("--fit") || 1));
   }
 
-  // A table that is wider or narrower than before is measured anew.
-  const table = root.querySelector(".results");
+  // A table that is wider or narrower than before is measured anew. It is told its height: see player.css.
+  const table = root.querySelector(".results"), apart = root.querySelector(".rows");
   let across = 0;
-  if (table) new ResizeObserver(() => {
+  const sized = new ResizeObserver(() => {
+    apart.style.setProperty("--high", `${apart.firstChild.getBoundingClientRect().height}px`);
     if (table.clientWidth === across) return;
     across = table.clientWidth;
     longest.clear();
     for (const { style } of fitting) style.removeProperty("--fit");
     fit();
-  }).observe(table);
+  });
+  if (table) for (const each of [table, apart.firstChild]) sized.observe(each);
 
   // What is nothing beside the largest of its unit, in the table or as a vector, is rounding noise.
   const NOTHING = 1e-12;
