@@ -10,6 +10,8 @@ import pytest
 import vad
 from tests.page.hands import EXAMPLES, NAMES, made
 from vad.kinematics.reach import closing_range
+from vad.lecture.followed import Followed
+from vad.page.parts import parts
 
 
 @pytest.mark.exhaustive
@@ -47,3 +49,20 @@ def test_an_equation_holds_in_every_position() -> None:
     panels = made("hooke-joint")[0]
     foot = re.search(r'<div class="foot.*?</div>', panels, re.DOTALL)
     assert foot and "60" not in re.sub("<[^>]*>", "", foot[0])
+
+
+def test_of_a_followed_point_a_page_has_the_path_and_the_hodographs_alone() -> None:
+    turn = vad.turn(vad.load(str(EXAMPLES["jansen-leg"]))())
+    lesson = vad.animate(turn.given)
+
+    def curves(follow: Followed | None) -> Any:
+        hand = parts(lesson, follow=follow).hand
+        assert hand is not None
+        return hand.data["curves"]
+
+    foot, every = curves(turn.followed), curves(None)
+    assert [len(tracks) for tracks in every["tracks"]] == [6, 6, 6]
+    row = [each.key for each in turn.given.rows].index("foot")
+    assert [[track[0] for track in tracks] for tracks in foot["tracks"]] == [[row]] * 3
+    assert (foot["on"], every["on"]) == (["paths"], [])
+    assert foot["columns"] == every["columns"]

@@ -187,7 +187,7 @@ def draw(
     _check_one_pose(options, turn or at is not None)
     if "centrode" in options and at is not None:
         raise UsageError("--centrode is for one pose or a turn", "leave out --at")
-    _check_followed(options, turn, output)
+    _check_followed(options, turn)
     script = script_in(options, turn or at is not None)
     burden = take_burden(mechanism, options)
     made = Turn if turn else Sheet if at is None else Multiples
@@ -227,12 +227,10 @@ def _check_one_pose(options: dict[str, Any], several: bool) -> None:
         raise UsageError("--superpose is for one pose", "leave out --turn and --at")
 
 
-def _check_followed(options: dict[str, Any], turn: bool, output: str) -> None:
-    """Refuse a point to be followed in one pose, and in pages, in which readers choose it."""
+def _check_followed(options: dict[str, Any], turn: bool) -> None:
+    """Refuse a point to be followed in one pose."""
     if "follow" in options and not turn:
         raise UsageError("--follow is for a turn", "add --turn")
-    if "follow" in options and output.endswith(".html"):
-        raise UsageError(f"--follow is for films and pictures, not for '{output}'")
 
 
 def _pose(mechanism: Mechanism, inputs: Inputs, burden: Burden | None) -> Any:
@@ -264,7 +262,7 @@ def animate(
 ) -> None:
     """Write the film in which one pose is drawn stroke by stroke, one step of it, or a turn."""
     _check_one_pose(options, turn)
-    _check_followed(options, turn, output)
+    _check_followed(options, turn)
     script = script_in(options, turn)
     burden = take_burden(mechanism, options)
     if turn:

@@ -38,8 +38,8 @@ def write(
     else:
         lesson = animate(thing, style=STYLE if style is None else style)
     start = 0 if lesson is thing else len(lesson.steps)
-    turning = isinstance(thing, Turn)
-    page = document(lesson, start, sliders=not no_sliders, turning=turning)
+    turning, follow = (True, thing.followed) if isinstance(thing, Turn) else (False, None)
+    page = document(lesson, start, sliders=not no_sliders, turning=turning, follow=follow)
     target.write(page.encode())
     if progress is not None:
         progress(lesson.frames, lesson.frames)

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import Any
 
 from vad.kinematics.traced import Traced
+from vad.lecture.followed import PANELS, Followed
 from vad.plan.board import rows_of
 from vad.plan.hand_board import HandBoard
 from vad.plan.turn_panel import owner_of
@@ -17,7 +18,12 @@ from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import BELOW, Panel, Sheet
 
 
-def curves(board: HandBoard, sheet: Sheet, output: Callable[[float], int]) -> dict[str, Any]:
+def curves(
+    board: HandBoard,
+    sheet: Sheet,
+    output: Callable[[float], int],
+    follow: Followed | None = None,
+) -> dict[str, Any]:
     """Return the values and the points that are followed over a turn.
 
     Parameters
@@ -28,6 +34,8 @@ def curves(board: HandBoard, sheet: Sheet, output: Callable[[float], int]) -> di
         The sheet of the page.
     output
         The number of an output.
+    follow
+        The point whose path and hodographs alone are found, if there is one.
 
     Returns
     -------
@@ -52,17 +60,20 @@ def curves(board: HandBoard, sheet: Sheet, output: Callable[[float], int]) -> di
     for panel in traced.panels:
         found: list[list[Any]] = []
         spots = DIAGRAMS[panel.name].tracks(board.traced.scene)
+        letter = follow.image(panel.name) if follow and panel.name in PANELS else ""
         still = {spot.letter for spot, at in spots.items() if not _moves(board, at)}
         for spot, at in spots.items():
             half = traced.panel(panel.name + BELOW) if spot.below else panel
             place = _followed(board, half, at)
-            if place is None:
+            if place is None or (letter and spot.letter != letter):
                 continue
             scale = names.index(f"{half.name} x") if f"{half.name} x" in names else None
-            row = _row(half, spot, still, sheet)
+            row = (
+                rows_of(sheet)[follow.row] if follow and letter else _row(half, spot, still, sheet)
+            )
             found.append([row, output(place.real), output(place.imag), scale])
         tracks.append(found)
-    return {"columns": columns, "tracks": tracks, "on": []}
+    return {"columns": columns, "tracks": tracks, "on": ["paths"] if follow else []}
 
 
 def _followed(board: HandBoard, panel: Panel, at: Any) -> complex | None:

@@ -16,6 +16,7 @@ from importlib.resources import files
 from string import Template
 from zlib import DEFLATED, MAX_WBITS, compressobj
 
+from vad.lecture.followed import Followed
 from vad.lecture.lesson import Lesson
 from vad.page.parts import Parts, parts
 from vad.page.shorter import shorter_script, shorter_style
@@ -151,7 +152,14 @@ def parted(text: str) -> tuple[str, list[str]]:
     return text, late
 
 
-def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: bool = False) -> str:
+def document(
+    lesson: Lesson,
+    start: int = 0,
+    *,
+    sliders: bool = True,
+    turning: bool = False,
+    follow: Followed | None = None,
+) -> str:
     """Return the page of a lesson.
 
     Parameters
@@ -164,8 +172,10 @@ def document(lesson: Lesson, start: int = 0, *, sliders: bool = True, turning: b
         Whether the hand has sliders for rates and dimensions.
     turning
         Whether it opens with the mechanism running, with curves and hodographs.
+    follow
+        The point whose path and hodographs alone are shown; those of all points if None.
     """
-    made = parts(lesson)
+    made = parts(lesson, follow=follow)
     data = {**made.data, "start": start, "turning": turning}
     layers: Sequence[str] = ()
     if made.hand:

@@ -18,6 +18,7 @@ from vad.kinematics.numbers import vector
 from vad.kinematics.program import Program
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
+from vad.lecture.followed import Followed
 from vad.lecture.moment import drawing
 from vad.page.curves import curves
 from vad.page.dimensions import dimensions, readable
@@ -98,6 +99,7 @@ def hand(
     inker: Inker,
     write: Callable[[Runs], str],
     large: Mapping[str, Large] = MappingProxyType({}),
+    follow: Followed | None = None,
 ) -> Hand:
     """Return a mechanism that is turned on a page.
 
@@ -113,6 +115,8 @@ def hand(
         The function that writes runs as HTML.
     large
         The panels as they are drawn while they are in work.
+    follow
+        The point whose path and hodographs alone are shown; those of all points if None.
     """
     sheet, outputs, traced = plan.sheet, Outputs(), board.traced
     begun = Begun(sheet)
@@ -206,7 +210,7 @@ def hand(
     layers = {region: f'<g class="hand">{layer}</g>' for region, layer in layers.items()}
     layers[regions[0]] += ring
     data |= _described(board, sheet, outputs, write)
-    data["curves"] = curves(board, sheet, outputs.of)
+    data["curves"] = curves(board, sheet, outputs.of, follow)
     data |= ways(board, sheet.language, outputs.of)
     program, count = traced.program(outputs.numbers), len(traced.guards)
     last = [*program.outputs[count:], *program.outputs[:count]]

@@ -13,6 +13,7 @@ from itertools import accumulate, islice, pairwise, repeat
 from typing import Any
 
 from vad.lecture.chapters import Chapter, chapters
+from vad.lecture.followed import Followed
 from vad.lecture.lesson import Lesson, LessonStep
 from vad.lecture.moment import drawing
 from vad.lecture.telling import beats
@@ -110,6 +111,7 @@ def parts(
     board: Plan | None = None,
     turned: HandBoard | None = None,
     known: Collection[str] = (),
+    follow: Followed | None = None,
 ) -> Parts:
     """Return the parts of a lesson's page.
 
@@ -123,6 +125,8 @@ def parts(
         The board on which its mechanism is turned, if ``board`` is given; None where it cannot be.
     known
         Classes whose rules are left out.
+    follow
+        The point whose path and hodographs alone are shown; those of all points if None.
     """
     style, faces, sheet = load_style(lesson.style), Faces(), lesson.sheet
     own, move = board is None, _move(lesson)
@@ -133,7 +137,7 @@ def parts(
     listed = [_listed(lesson, step, words) for step in lesson.steps]
     for phrase in Language(sheet.language).page("HAND").values() if turned else ():
         words.of(roman(phrase))
-    moved = hand(turned, board, inker, words.of, large) if turned else None
+    moved = hand(turned, board, inker, words.of, large, follow) if turned else None
     found = measures(board)
     drawn = [
         panel_section(board, panel, inker, words, found.large[panel.name]) for panel in sheet.panels
