@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Mapping
 
 import pytest
 
 import vad
 from vad.gui.answers import board_of
+from vad.plan.labels.named import Ways
+from vad.plan.labels.obstacles import PIXEL
+from vad.plan.labels.placing import distance
+from vad.plan.labels.vertices import vertices_by_letter
 from vad.plan.live_board import LiveBoard, LivePose
 from vad.plan.marks import Bow, Outline, Polygon, Polyline
 from vad.plan.pictures.skeleton import Skeleton
@@ -149,3 +154,22 @@ def test_the_name_of_a_vector_without_a_length_on_the_page_stands_above_it(given
         sheet_of("crank-slotted-lever", **given), {}, {}
     )
     assert 0.0 < pose.ways["acceleration"]["2ωv"] < 180.0
+
+
+def test_a_letter_is_nearest_to_its_own_dot_while_the_crank_turns() -> None:
+    board, lettered = board_of_all("slider-crank"), 0
+    ways: Mapping[str, Ways] = {}
+    for degrees in range(0, 360, 10):
+        sheet = vad.draw(vad.solve(vad.SliderCrank(), angle=degrees + 0.3))
+        seen = board.pose(sheet, {}, ways)
+        ways = seen.ways
+        for half in sheet.panels:
+            sketch = seen.plan.sketches[half.name]
+            boxes = {tag.text: tag.box for tag in sketch.tags}
+            dots = vertices_by_letter(half, sketch.scale)
+            for own in dots:
+                box = boxes[own.label]
+                off = [distance(box, dot.at) for dot in dots if abs(dot.at - own.at) > 3 * PIXEL]
+                assert distance(box, own.at) < min(off) + 0.3 * PIXEL
+                lettered += 1
+    assert lettered == 360

@@ -18,7 +18,7 @@ from vad.plan.geometry import normal_of
 from vad.plan.items import Level
 from vad.plan.labels.choices import RATE, VALUE
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import APART, CLEARANCE, WAYS, Placed, Wish
+from vad.plan.labels.placing import APART, CLEARANCE, WAYS, Placed, Wish, distance, near_places
 from vad.plan.labels.vertices import GAPS, LETTER, SMALL_SIZE, Vertex, text_at, wish
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman, symbols
@@ -184,12 +184,15 @@ def add_kept(sketch: Sketch, labels: Iterable[Label], before: Ways) -> dict[str,
         Where they stand now, for the next pose.
     """
     found: dict[str, float] = {}
+    labels = list(labels)
+    dots = [label.at for label in labels if label.role == "letter"]
     for label in labels:
         first, looks = label.way, (label.size, label.role, label.row)
         if label.name in before:
             first = cmath.rect(1.0, math.radians(before[label.name]))
         size = ink_size(label.runs, label.size)
-        wanted = Wish(label.at, first, *size, radius=label.radius, near=label.near)
+        rivals = [dot for dot in dots if label.role == "letter" and abs(dot - label.at) > PIXEL]
+        wanted = Wish(label.at, first, *size, label.radius, label.near, rivals)
         placed = _kept(sketch.obstacles, wanted)
         sketch.obstacles.box(placed.box)
         sketch.tags.append(Tag(label.name, placed.box))
@@ -202,12 +205,18 @@ def add_kept(sketch: Sketch, labels: Iterable[Label], before: Ways) -> dict[str,
 def _kept(obstacles: Obstacles, wanted: Wish) -> Placed:
     """Return a free place: on the side on which it stood, else the nearest to that side.
 
-    If no place is free, it is still on that side.
+    There it is nearer to its own dot than to others, if it can be.  If no place is free, it is
+    still on that side.
     """
     size, side = (wanted.wide, wanted.high), wanted.ahead()
     for spot in side:
-        if obstacles.has_room(spot, *size, CLEARANCE, APART):
-            return Placed(spot, *size)
+        placed = Placed(spot, *size)
+        own = distance(placed.box, wanted.at)
+        near = all(own <= distance(placed.box, rival) for rival in wanted.rivals)
+        if near and obstacles.has_room(spot, *size, CLEARANCE, APART):
+            return placed
+    for placed in near_places(obstacles, wanted)[:1]:
+        return placed
     spots = [spot for gap in wanted.near for spot in wanted.around(gap, WAYS)]
     for clear, apart in ((CLEARANCE, APART), (0.5 * PIXEL, 0j)):
         free = obstacles.free(spots, *size, clear, apart)
