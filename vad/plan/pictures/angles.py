@@ -309,9 +309,10 @@ def add_sense(
 
 
 def block_sense(sketch: Sketch, angle: Stroke, place: SensePlace) -> None:
-    """Let labels keep clear of the arrow of ω, and not only of its letter."""
+    """Let labels keep clear of the arrow of ω, as two chords, and not only of its letter."""
     centre = sketch.solved.place(Anchor.of(angle.name, "centre"))
-    sketch.obstacles.line(place.line(centre), 0.004)
+    bow = Bow(centre, place.radius, place.middle - place.span / 2, place.span)
+    sketch.obstacles.line(bow.line(place.span / 2), 0.004)
 
 
 def sense_arrow(
