@@ -59,3 +59,22 @@ def test_what_cannot_go_round_swings(browser: Browser, tmp_path: Path) -> None:
           });
         }""")
         page.wait_for_function("() => ways.has(1) && ways.has(-1)")
+
+
+def test_the_velocity_polygon_is_never_cut(browser: Browser, tmp_path: Path) -> None:
+    """During the quick return the ram is three times as fast as in the pose that was given."""
+    lever = vad.CrankSlottedLever(rod=100, ram_height=180)
+    with opened(browser, viewport=SIZE) as page:
+        page.goto(saved(tmp_path, lever))
+        page.wait_for_function("() => vad.state.angle > 255 && vad.state.angle < 290")
+        room, *ways = page.evaluate("""() => {
+          const drawing = document.querySelectorAll(".drawing")[1];
+          return [drawing, ...drawing.querySelectorAll(".hodograph")].map((each) => {
+            const box = each.getBoundingClientRect();
+            return [box.left, box.right];
+          });
+        }""")
+        left, right = min(way[0] for way in ways), max(way[1] for way in ways)
+        assert room[0] < left
+        assert right < room[1]
+        assert right - left > 0.4 * (room[1] - room[0])

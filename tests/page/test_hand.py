@@ -11,6 +11,7 @@ import vad
 from tests.page.hands import EXAMPLES, NAMES, made
 from vad.kinematics.reach import closing_range
 from vad.lecture.followed import Followed
+from vad.page.hand import fast
 from vad.page.parts import parts
 
 
@@ -66,3 +67,11 @@ def test_of_a_followed_point_a_page_has_the_path_and_the_hodographs_alone() -> N
     assert [[track[0] for track in tracks] for tracks in foot["tracks"]] == [[row]] * 3
     assert (foot["on"], every["on"]) == (["paths"], [])
     assert foot["columns"] == every["columns"]
+
+
+def test_the_velocities_of_what_goes_round_are_never_cut() -> None:
+    panels = ["position", "velocity", "acceleration"]
+    assert fast(vad.CrankSlottedLever(), panels) == 1
+    assert fast(vad.FourBar(crank=130), panels) == -1  # it swings: at its ends rates have no end
+    assert fast(vad.DoubleSlider(), panels) == -1
+    assert fast(vad.CrankSlottedLever(), ["position", "centres"]) == -1

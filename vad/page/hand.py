@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from itertools import groupby
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import vector
 from vad.kinematics.program import Program
@@ -51,9 +51,13 @@ from vad.plan.scale import (
     SHORTEST_BAR,
     SPARE,
 )
+from vad.strokes.diagram import VELOCITY
 from vad.strokes.sheet import Sheet
 from vad.words import Language
 from vad.written import THIN_SPACE
+
+if TYPE_CHECKING:
+    from vad.mechanisms.mechanism import Mechanism
 
 #: How much farther than at their best place labels with a leader may stand.
 _FAR = (0.030, 0.044, 0.058)
@@ -91,6 +95,15 @@ class Hand:
     layers: Mapping[str, str]
     program: Mapping[str, Any]
     data: Mapping[str, Any]
+
+
+def fast(mechanism: Mechanism, regions: Sequence[str]) -> int:
+    """Return the number of the panel that is never cut over a turn: a quick return is fast.
+
+    -1 where a driver that cannot go round has rates without end at its dead centres.
+    """
+    goes_round = closing_range(mechanism) == [(0.0, 360.0)] and "angle" in mechanism.inputs
+    return regions.index(VELOCITY.panel) if goes_round and VELOCITY.panel in regions else -1
 
 
 def hand(
@@ -181,6 +194,7 @@ def hand(
             "factor": float(grip.factor),
         },
         "ranges": closing_range(board.mechanism),
+        "fast": fast(board.mechanism, regions),
         "moves": moves,
         "labels": labels,
         "spelled": [spelled(_AGAIN.sub("", label.name), sheet.language) for label in board.labels],

@@ -103,14 +103,15 @@ function scales(root, data, out, state) {
     own.forEach((polygon, n) => { polygon.most = most[n]; });
   }
 
-  // One scale for all poses of a turn, which fits the largest; it makes no polygon much smaller than
-  // its own. steady(null) ends that.
+  // One scale for all poses of a turn, which fits the largest; it makes no polygon but that of the
+  // velocities much smaller than its own. steady(null) ends that.
   function steady(poses, solve) {
     const own = all.map(box), most = boxes(all, poses ?? [], solve, 2, own.map((each) => each && [...each]));
     all.forEach((polygon, n) => {
       polygon.steady = poses && most[n];
       if (!polygon.steady) return;
-      const whole = filling(polygon.inner, most[n]), least = own[n] ? SMALLER * filling(polygon.inner, own[n]) : 0;
+      const whole = filling(polygon.inner, most[n]), cut = data.halves[polygon.half][0] !== data.fast;
+      const least = own[n] && cut ? SMALLER * filling(polygon.inner, own[n]) : 0;
       polygon.to = centred(polygon.inner, whole < least ? own[n] : most[n], Math.max(whole, least));
     });
   }
