@@ -309,10 +309,14 @@ def add_sense(
 
 
 def block_sense(sketch: Sketch, angle: Stroke, place: SensePlace) -> None:
-    """Let labels keep clear of the arrow of ω, as two chords, and not only of its letter."""
+    """Let labels keep clear of the arrow of ω, and not only of its letter.
+
+    Under the hand it is two chords: a page has the numbers of each.
+    """
     centre = sketch.solved.place(Anchor.of(angle.name, "centre"))
     bow = Bow(centre, place.radius, place.middle - place.span / 2, place.span)
-    sketch.obstacles.line(bow.line(place.span / 2), 0.004)
+    line = bow.line(place.span / 2) if sketch.finished else bow.line()
+    sketch.obstacles.line(line, 0.004)
 
 
 def sense_arrow(
