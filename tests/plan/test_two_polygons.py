@@ -148,7 +148,9 @@ def test_the_page_counts_the_lower_strokes_in_their_chapter():
     html = document(vad.animate(sheet(polar(), "laid over")))
     page = html + "".join(bundle_of(html)[4])
     assert 'data-x="0" style="flex-grow:15"' in page
-    assert 'href="#step=velocity:15"' in page and "below:" not in page
+    told = bundle_of(html)[1]
+    assert told["first"] == [0, 15] and told["panels"][0][0] == "velocity"
+    assert "below:" not in page
     assert page.count('<section class="panel"') == 2
     assert 'class="remark"' in page and "laid over" in page
 

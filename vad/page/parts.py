@@ -240,13 +240,12 @@ def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, st
     """Return the caption of a step as an entry of the list, and as it is read out.
 
     Of several strokes with one caption only the entry of the first is seen, and only it has the
-    caption: the player gives it to the others.
+    caption: the player gives it to the others, and to all of them the address of their step.
     """
     pieces = pieces_of(step.stroke.said)
-    place = f"#step={step.chapter}:{lesson.place(step)}"
     seen = " class=same" if step.repeats else ""
     shown = "" if step.repeats else _beats(step, words)
-    item = f'<li{seen}><a href="{place}">{shown}</a></li>'
+    item = f"<li{seen}><a>{shown}</a></li>"
     return item, spoken(pieces, lesson.sheet.language)
 
 

@@ -132,7 +132,11 @@ export function mount(root, data, { address = true } = {}) {
       if (i > 0 && k > 0 && k !== i) link(picture.closest(".panel").querySelector("h2"), k, title);
     }));
     // Of several strokes with one caption the page has it once.
-    lesson.links.forEach((link, i) => { if (!link.innerHTML) link.innerHTML = lesson.links[i - 1].innerHTML; });
+    lesson.links.forEach((link, i) => {
+      const panel = panelOf(i);
+      if (!link.innerHTML) link.innerHTML = lesson.links[i - 1].innerHTML;
+      link.href = `#step=${lesson.panels[panel][0]}:${i - lesson.first[panel] + 1}`;
+    });
     lesson.timed = all("[data-s], [data-b]").map((element) => [element, spans(element)]);
     lesson.growing = all("[data-g]").map((mark) =>
       [spans(mark.parentNode)[0][0], growing(mark, lesson.grow[mark.dataset.g]), mark]);
