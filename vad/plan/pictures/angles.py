@@ -116,7 +116,10 @@ def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
 
 
 def interrupted(sketch: Sketch, bow: Bow) -> Mark:
-    """Return the arc of an angle with gaps where it would cross what is drawn, but at its ends."""
+    """Return the arc of an angle with gaps where it would cross what is drawn, but at its ends.
+
+    Both ends show, so that all see where it begins and where it ends.
+    """
     steps = max(2, math.ceil(abs(bow.sweep) / STEP))
     turns = np.radians(bow.start + bow.sweep * np.linspace(0.0, 1.0, steps + 1))
     spots = bow.centre + bow.radius * np.exp(1j * turns)
@@ -125,9 +128,16 @@ def interrupted(sketch: Sketch, bow: Bow) -> Mark:
     kept = strokes.free(spots.tolist(), 0.0, 0.0, GAP)
     kept |= np.minimum(abs(spots - spots[0]), abs(spots - spots[-1])) < ENDS
     runs = [[*run] for there, run in itertools.groupby(range(steps + 1), kept.__getitem__) if there]
-    shown = [run for run in runs if (len(run) - 1) / steps * bow.length >= LEAST_PART]
-    whole = kept.all() or not shown
-    shape = bow if whole else Polyline(tuple(tuple(spots[run].tolist()) for run in shown))
+    shown = [
+        run
+        for run in runs
+        if (len(run) - 1) / steps * bow.length >= LEAST_PART or {0, steps} & {run[0], run[-1]}
+    ]
+    shape = (
+        bow
+        if kept.all()
+        else Polyline(tuple(tuple(spots[run].tolist()) for run in shown if len(run) > 1))
+    )
     return Mark(shape, "angle", growth=Trimming())
 
 
