@@ -167,7 +167,7 @@ def hand(
         wish = _wish(label, nears.setdefault((near, label.led), len(nears)), outputs)
         labels.append([halves.index(label.panel), *wish])
     blocks = [
-        [halves.index(name), *outputs.listed((start, end)), round(half, 5)]
+        [halves.index(name), *outputs.listed(map(_rounded, (start, end))), round(half, 5)]
         for name, sketch in board.sketches.items()
         for start, end, half, _ in sketch.obstacles.lines[_above(board, name)[0] :]
     ]
@@ -325,6 +325,11 @@ def _motion(shape: Outline, outputs: Outputs) -> list[Any] | None:
         case Lettering(at=at) if _traced([at]):
             return ["t", outputs.place(at), [round(at.real, 6), round(at.imag, 6)]]
     return None
+
+
+def _rounded(z: complex) -> complex:
+    """Return a place that rests with no more digits than labels need."""
+    return z if _traced([z]) else vector(round(float(z.real), 5), round(float(z.imag), 5))
 
 
 def _traced(places: Iterable[complex]) -> bool:
