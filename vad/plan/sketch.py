@@ -48,8 +48,10 @@ class Close:
     factor
         How many times as large the lens shows them.
     stroke, since
-        The number of the stroke that brings the second of the nearest two, and the beat from which
-        both are there.
+        The number of the stroke with which the need for it arises, and the beat from which that is
+        drawn.
+    needed
+        So many of the members, the first ones, are shown for the lens's sake; others are near.
     """
 
     members: tuple[int, ...]
@@ -58,6 +60,7 @@ class Close:
     factor: float
     stroke: int
     since: int
+    needed: int = 2
 
 
 @dataclass(frozen=True, slots=True)

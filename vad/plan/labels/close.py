@@ -1,26 +1,24 @@
 """Points that the eye cannot tell apart: where a lens is needed, and what letters it takes.
 
-Two vertices that are not equal and stand within `LEAST` look like one.  A lens enlarges such a
-place by the smallest factor that brings them `APART`, and has the letters of all that it shows.
+Two vertices that are not equal and stand within `LEAST` look like one, and a letter far from its
+dot is not seen to name it.  A lens enlarges such a place by the smallest factor that brings the
+points `APART`, and has the letters of all that it shows.  Needs that are near share one lens.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
 from itertools import combinations
 
-from vad.plan.items import FOREVER
-from vad.plan.labels.choices import PlacedLabels
 from vad.plan.labels.obstacles import PIXEL
-from vad.plan.labels.vertices import CROWD, SAME, Vertex, label_vertices
-from vad.plan.lens import circle
-from vad.plan.roles import ROLES
-from vad.plan.sketch import Close, Setting, Sketch
+from vad.plan.labels.vertices import SAME, Vertex
+from vad.plan.sketch import Close, Setting
 
 LEAST = 10.0 * PIXEL
 APART = 0.030
-FACTORS = (2.0, 4.0, 8.0, 20.0)
-#: At the largest factor dots that are so far apart are seen as two, if nearly.
+FACTORS = (2.0, 4.0, 8.0, 20.0, 50.0, 100.0, 200.0)
+#: Dots that are so far apart in a lens are seen as two, if nearly.
 TOUCHING = 0.017
 #: A lens shows what stands within that distance, too, as far as it has room.
 GATHERED = 40.0 * PIXEL
@@ -31,6 +29,32 @@ LARGEST, LARGEST_ALONE, SMALLEST = 0.108, 0.135, 0.068
 #: The least radius of the circle about the place.
 LEAST_RING = 0.0165
 MOST = 2  # lenses in a panel
+#: What points told apart nearly, and a letter that finds a place, count beside points told apart.
+NEARLY, LETTER = 0.5, 0.1
+#: Above this factor, points are so near that it says little to tell them apart; what that counts.
+USUAL, FINE = 20.0, 0.3
+#: A letter finds a place where it is shown so many times as large, at most.
+LETTER_FACTOR = 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """Two vertices that look like one, or one whose letter has no place, by their numbers.
+
+    ``since`` is the number of the stroke with which the need arises.
+    """
+
+    members: tuple[int, ...]
+    distance: float
+    since: int
+
+    def met(self, factor: float) -> float:
+        """Return how well a lens of a factor meets it if it shows its members."""
+        if len(self.members) == 1:
+            return LETTER if factor <= LETTER_FACTOR else 0.0
+        apart = factor * self.distance
+        well = 1.0 if apart >= APART else NEARLY if apart >= TOUCHING else 0.0
+        return well if factor <= USUAL else FINE * well
 
 
 def has_close(vertices: Sequence[Vertex]) -> bool:
@@ -38,26 +62,34 @@ def has_close(vertices: Sequence[Vertex]) -> bool:
     return any(SAME < abs(one.at - other.at) < LEAST for one, other in combinations(vertices, 2))
 
 
-def _close_places(setting: Setting, vertices: Sequence[Vertex]) -> list[Close]:
-    """Return the places where points cannot be told apart, the closest first."""
-    if len(vertices) > CROWD:
-        return []  # two lenses would not disentangle them, and to look for places takes a minute
-    pairs = sorted(
-        (distance, one, other)
-        for (one, first), (other, second) in combinations(enumerate(vertices), 2)
-        if SAME < (distance := abs(first.at - second.at)) < LEAST
-    )
+def close_places(
+    setting: Setting, vertices: Sequence[Vertex], far: Collection[str] = ()
+) -> list[Close]:
+    """Return the places that need a lens, the one that tells most apart first.
+
+    ``far`` are labels that have no place beside their dots.
+    """
+    needs = list(_needs(vertices, far))
     found: list[Close] = []
     taken: set[int] = set()
-    for distance, one, other in pairs:
-        factor = next((each for each in FACTORS if each * distance >= APART), FACTORS[-1])
-        if {one, other} & taken or factor * distance < TOUCHING or len(found) == MOST:
-            continue
-        members = _gathered(vertices, [one, other], factor, largest(setting), taken)
-        taken.update(members)
-        last = max(vertices[one].since, vertices[other].since)
-        middle, reach = _about(vertices, members)
-        found.append(Close(tuple(members), middle, reach, factor, last, setting.after(last)))
+    while needs and len(found) < MOST:
+        best: tuple[float, ...] | None = None
+        for need in needs:
+            for factor in FACTORS:
+                if not need.met(factor):
+                    continue
+                members = _gathered(vertices, need.members, factor, largest(setting), taken)
+                met = [each for each in needs if members.issuperset(each.members)]
+                pairs = sum(each.met(factor) for each in met)
+                score = pairs, len(met), -factor, -need.distance
+                if len(members) > 1 and met and (best is None or score > best):
+                    best, chosen = score, (members, factor, met)
+        if best is None:
+            break
+        close = _close(setting, vertices, *chosen)
+        found.append(close)
+        taken.update(close.members)
+        needs = [each for each in needs if not taken & set(each.members)]
     return found
 
 
@@ -66,74 +98,67 @@ def largest(setting: Setting) -> float:
     return LARGEST if len(setting.sheet.panels) > 1 else LARGEST_ALONE
 
 
-def ring_of(close: Close, setting: Setting) -> float:
-    """Return the radius of the circle about a place: what the lens shows, but never too small."""
-    return max(LEAST_RING, largest(setting) / close.factor)
+def _needs(vertices: Sequence[Vertex], far: Collection[str]) -> Iterator[Need]:
+    """Yield what needs a lens."""
+    for (one, first), (other, second) in combinations(enumerate(vertices), 2):
+        distance = abs(first.at - second.at)
+        if SAME < distance < LEAST:
+            yield Need((one, other), distance, max(first.since, second.since))
+    for number, vertex in enumerate(vertices):
+        if vertex.label in far:
+            yield Need((number,), LEAST, vertex.since)
+
+
+def _close(
+    setting: Setting,
+    vertices: Sequence[Vertex],
+    members: set[int],
+    factor: float,
+    met: Sequence[Need],
+) -> Close:
+    """Return a place whose members that need a lens come first, as they appear."""
+    first = sorted(met, key=lambda need: (need.since, need.distance))
+    needed = list(dict.fromkeys(number for need in first for number in need.members))
+    all_ = (*needed, *sorted(members - set(needed)))
+    middle, reach = _about(vertices, all_)
+    last = first[0].since
+    many = max(2, len(needed))
+    return Close(all_, middle, reach, factor, last, setting.after(last), many)
 
 
 def _gathered(
-    vertices: Sequence[Vertex], pair: list[int], factor: float, radius: float, taken: set[int]
-) -> list[int]:
-    """Return two vertices with those near to them, as many as a lens can show with letters."""
-    members, (middle, _) = [*pair], _about(vertices, pair)
+    vertices: Sequence[Vertex],
+    seed: Sequence[int],
+    factor: float,
+    radius: float,
+    taken: Collection[int],
+) -> set[int]:
+    """Return some vertices with those near to them, as many as a lens can show with letters.
+
+    What even the lens cannot tell apart is left to another.
+    """
+    members, (middle, _) = [*seed], _about(vertices, seed)
     near = sorted((abs(vertex.at - middle), number) for number, vertex in enumerate(vertices))
-    for distance, number in near:
-        if distance < GATHERED and number not in taken and number not in members:
-            _, reach = _about(vertices, [*members, number])
-            if factor * reach <= radius - LETTERED:
-                members.append(number)
-    return members
+    near = [(off, number) for off, number in near if off < GATHERED]
+    for _, number in near:
+        if number in taken or number in members:
+            continue
+        at = vertices[number].at
+        if any(
+            factor * abs(vertices[other].at - at) < TOUCHING for _, other in near if other != number
+        ):
+            continue
+        _, reach = _about(vertices, [*members, number])
+        if factor * reach <= radius - LETTERED:
+            members.append(number)
+    return set(members)
 
 
 def _about(vertices: Sequence[Vertex], members: Sequence[int]) -> tuple[complex, float]:
     """Return the middle of some vertices, and how far they are from there."""
     places = [vertices[number].at for number in members]
+    if len(places) == 1:
+        return places[0], 0.0
     one, other = max(combinations(places, 2), key=lambda ends: abs(ends[0] - ends[1]))
     middle = (one + other) / 2
     return middle, max(abs(place - middle) for place in places)
-
-
-class LensedLabels(PlacedLabels):
-    """Labels of a picture with lenses: what a lens shows has its letters there.
-
-    Until both points are drawn that it tells apart, each has a letter beside its dot.
-    """
-
-    def __init__(self, count: int) -> None:
-        self._count = count
-
-    def vertices(
-        self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
-    ) -> None:
-        """Add letters; see `LabelChoice`."""
-        setting, sketch.vertices = sketch.setting, vertices
-        sketch.close = _close_places(setting, vertices)[: self._count]
-        hidden = {number for close in sketch.close for number in close.members}
-        for close in sketch.close:
-            ring, half = circle(close.middle, ring_of(close, setting)), ROLES["lens place"].width
-            sketch.obstacles.line(ring, half, (close.since, FOREVER))
-        seen = [vertex for number, vertex in enumerate(vertices) if number not in hidden]
-        label_vertices(sketch, seen, radius, near, vertices)
-        for close in sketch.close:
-            before = [vertices[n] for n in close.members]
-            before = [each for each in before if setting.after(each.since) < close.since]
-            if before:
-                _for_a_time(sketch, before, radius, near, vertices, close.since)
-
-
-def _for_a_time(
-    sketch: Sketch,
-    some: Sequence[Vertex],
-    radius: float,
-    near: Sequence[float],
-    vertices: Sequence[Vertex],
-    until: int,
-) -> None:
-    """Place the labels of some vertices until a beat, clear of what there is before it."""
-    all_ = sketch.obstacles
-    sketch.obstacles = all_.during((0, until))
-    lines, boxes = len(sketch.obstacles.lines), len(sketch.obstacles.boxes)
-    label_vertices(sketch, some, radius, near, vertices, until)
-    all_.lines += sketch.obstacles.lines[lines:]
-    all_.boxes += sketch.obstacles.boxes[boxes:]
-    sketch.obstacles = all_

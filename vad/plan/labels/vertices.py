@@ -63,12 +63,14 @@ class Vertex:
     """A dot with its letters, in the middle of its ``points``, which have one place.
 
     ``points`` are places on the page, each with what it hangs on.  ``letters`` holds the number of
-    the stroke that brings each, ``ways`` are the directions of the strokes that meet there.
+    the stroke that brings each, ``ways`` are the directions of the strokes that meet there, and
+    ``in_line`` is how many letters stand in one line.
     """
 
     points: dict[complex, Anchor]
     letters: dict[str, int]
     ways: list[complex] = field(default_factory=list)
+    in_line: int = IN_LINE
 
     @cached_property
     def at(self) -> complex:
@@ -94,7 +96,7 @@ class Vertex:
     @property
     def rows(self) -> list[tuple[str, ...]]:
         """The letters in lines of like length: one, or more where it would be too long."""
-        return _rows(tuple(self.letters))
+        return _rows(tuple(self.letters), self.in_line)
 
 
 def lettered(panel: Panel) -> dict[str, list[PointName]]:
@@ -232,11 +234,11 @@ def label_vertices(
     near: Sequence[float],
     among: Sequence[Vertex] = (),
     until: int = FOREVER,
-) -> None:
+) -> list[tuple[int, Placed]]:
     """Place the labels of some vertices ``among`` others, each once for all strokes.
 
     They have one size, the largest at which each has a clear place and no leader crosses a stroke,
-    and show ``until`` a beat.
+    and show ``until`` a beat.  Returned is where each stands, with its number among ``vertices``.
     """
     tried: list[tuple[tuple[int, int], float, list[tuple[int, Placed]], Obstacles]] = []
     all_ = among or vertices
@@ -258,6 +260,7 @@ def label_vertices(
     sketch.obstacles = crowd
     for index, placed in found:
         add_letters(sketch, vertices[index], placed, size, _span(sketch, vertices[index], until))
+    return found
 
 
 def wish(
@@ -269,7 +272,7 @@ def wish(
     unnamed: Sequence[complex] = (),
 ) -> Wish:
     """Return the place that the label of a vertex asks for: away from dots close by."""
-    size = _size(tuple(vertex.letters), letter)
+    size = _size(tuple(vertex.letters), vertex.in_line, letter)
     rivals = [other.at for other in all_ if other is not vertex]
     rivals += [at for at in unnamed if abs(at - vertex.at) > SAME]
     close = [direction_of(vertex.at, at) for at in rivals if SAME < abs(at - vertex.at) < CLOSE_BY]
@@ -277,15 +280,16 @@ def wish(
     return Wish(vertex.at, first, *size, radius, near, rivals)
 
 
-def _rows(letters: tuple[str, ...]) -> list[tuple[str, ...]]:
-    most = -(-len(letters) // -(-len(letters) // IN_LINE))
+def _rows(letters: tuple[str, ...], in_line: int) -> list[tuple[str, ...]]:
+    most = -(-len(letters) // -(-len(letters) // in_line))
     return [letters[first : first + most] for first in range(0, len(letters), most)]
 
 
 @lru_cache(maxsize=512)
-def _size(letters: tuple[str, ...], size: float) -> tuple[float, float]:
+def _size(letters: tuple[str, ...], in_line: int, size: float) -> tuple[float, float]:
     """Return the width and height of a label whose letters have a size."""
-    widths, heights = zip(*(ink_size(_set(row), size) for row in _rows(letters)), strict=True)
+    rows = _rows(letters, in_line)
+    widths, heights = zip(*(ink_size(_set(row), size) for row in rows), strict=True)
     return max(widths), max(heights) + (len(heights) - 1) * LEADING * size
 
 

@@ -16,7 +16,7 @@ from vad.plan.geometry import Rect
 from vad.plan.labels.choices import PLACED, LabelChoice, MovingLabels
 from vad.plan.labels.close import has_close
 from vad.plan.pictures import polygon
-from vad.plan.pictures.lenses import with_lenses
+from vad.plan.pictures.lensed import with_lenses
 from vad.plan.pictures.skeleton import Skeleton, angle_centre
 from vad.plan.pictures.supports import add_dimension
 from vad.plan.pictures.views import Views
@@ -95,9 +95,10 @@ def _views(setting: Setting) -> Sketch:
         return best
     scale = best.scale
 
-    def lensed(part: Rect, labels: LabelChoice) -> Sketch:
+    def lensed(part: Rect, labels: LabelChoice) -> Sketch | None:
         own = scale if part == room else views_scale(replace(setting, room=part), [panel])
-        return best if labels is PLACED else Views(setting, [panel], own).draw(labels)
+        sketch = Views(setting, [panel], own).draw(labels)
+        return sketch if not sketch.lenses or sketch.astray <= max(STRAY, best.astray) else None
 
     return with_lenses(setting, lensed)
 

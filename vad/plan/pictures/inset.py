@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 
 from vad.plan.anchors import OnPage, Solved, on_page
 from vad.plan.geometry import Rect
@@ -39,6 +41,7 @@ LEVER = 0.075
 BLOCK = (0.046, 0.030)
 PAD = 0.010  # about the picture: room to breathe, and for the width of its lines
 SIZES = (1.0, 0.8, 0.64)
+CAPTION_ROOMS = (math.inf, 0.18)  # in one line or, rather than at a smaller size, in two
 RADIUS = 0.090  # of the farthest point of the speeds over a turn
 AXES = 1.12  # of that
 DOT = 0.0042
@@ -90,6 +93,21 @@ def draw_inset(inset: Drawn, setting: Setting, size: float, room: float) -> Inse
     return Inset(marks, names, box, lines, (max(wide for wide, _ in sizes), deep))
 
 
+def insets_of(setting: Setting) -> list[Inset]:
+    """Return the inset of a panel in all sizes, the largest first; none where it has none."""
+    inset = setting.panel.inset
+    sizes = product(SIZES, CAPTION_ROOMS) if inset else ()
+    return [draw_inset(inset, setting, size, wide) for size, wide in sizes] if inset else []
+
+
+def first_corner(
+    obstacles: Obstacles, drawing: Rect, insets: Sequence[Inset]
+) -> tuple[Inset, Corner] | None:
+    """Return the first inset that has a corner, with it; None where none has one."""
+    corners = ((inset, find_corner(obstacles, drawing, inset)) for inset in insets)
+    return next(((inset, corner) for inset, corner in corners if corner), None)
+
+
 def find_corner(obstacles: Obstacles, drawing: Rect, inset: Inset) -> Corner | None:
     """Return the emptiest corner for picture and caption, None where strokes fill them all."""
     box, (wide, high) = inset.box, inset.caption_box
@@ -138,12 +156,16 @@ def add_inset(sketch: Sketch, inset: Inset, spot: Corner) -> None:
         marks += on_page([text_at(runs, runs, at, CAPTION_SIZE, "notes")])
     stroke = setting.panel.strokes[index]
     sketch.add(stroke, Level.STROKE, setting.after(index), marks)
-    caption = Placed(spot.caption, *inset.caption_box).box
-    picture = inset.box.moved(spot.origin)
+    picture, caption = boxes(inset, spot)
     sketch.tags += [Tag(name.text, name.box.moved(spot.origin)) for name in inset.names]
     sketch.tags.append(Tag("inset", caption))
     sketch.obstacles.box(picture)
     sketch.obstacles.box(caption)
+
+
+def boxes(inset: Inset, spot: Corner) -> tuple[Rect, Rect]:
+    """Return the boxes of an inset's picture and of its caption where it stands."""
+    return inset.box.moved(spot.origin), Placed(spot.caption, *inset.caption_box).box
 
 
 def _rule(

@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from itertools import product
 
 from vad.plan.anchors import SWELLING, Anchor, Area, Circle, Hung, PointName, on_page
 from vad.plan.geometry import Rect
@@ -26,14 +25,15 @@ from vad.plan.pictures.constructions import (
 from vad.plan.pictures.curves import add_path
 from vad.plan.pictures.inset import (
     SIZES,
-    Inset,
     InsetPlace,
     add_inset,
     draw_inset,
     find_corner,
+    first_corner,
+    insets_of,
     reserved,
 )
-from vad.plan.pictures.lenses import with_lenses
+from vad.plan.pictures.lensed import with_lenses
 from vad.plan.pictures.shared_lines import NONE_SHARED, SharedLine
 from vad.plan.pictures.vectors import ALONE, Vector, add_vector, is_whole, place_vectors
 from vad.plan.reach import corners
@@ -49,7 +49,6 @@ RADIUS = DOT + DOT_RIM
 NEAR = (0.014, 0.020, 0.027, 0.034)
 #: The room for letters about a polygon that is moved for its speeds over a turn.
 LETTERED = 0.060
-CAPTION_ROOMS = (math.inf, 0.18)  # in one line or, rather than at a smaller size, in two
 BAR_OFF = 0.012  # the lower edge of the room, for the scale bar of a polygon below another
 BAR_ROOM = 0.035  # the height that it takes of that room over a turn
 WIDEST_BAR = 0.45  # of the room's width, with its value
@@ -256,21 +255,18 @@ def _with_inset(setting: Setting, full: Sketch, labels: LabelChoice, room: Rect)
     A smaller inset beside the ``full`` drawing comes before a smaller drawing.  None where that
     stands in a ``room`` of its own, in which it leaves none free.
     """
-    panel, centimetre = setting.panel, setting.centimetre
-    assert panel.inset is not None
-    insets: list[Inset] = [
-        draw_inset(panel.inset, setting, size, wide) for size, wide in product(SIZES, CAPTION_ROOMS)
-    ]
-    points, own = corners(panel), room is not setting.room
+    points, own = corners(setting.panel), room is not setting.room
     rooms = [] if own else reserved(setting.room)
-    rooms.sort(key=lambda room: -fill(points, room, False, centimetre).factor)
+    rooms.sort(key=lambda room: -fill(points, room, False, setting.centimetre).factor)
+    insets = insets_of(setting)
     for smaller in (None, *rooms):
         sketch = _drawn(setting, smaller, labels) if smaller else full
-        for inset in insets:
-            spot = find_corner(sketch.obstacles, setting.room, inset)
-            if spot:
-                add_inset(sketch, inset, spot)
-                return sketch
+        if sketch.lenses:  # they stand beside it
+            return sketch
+        found = first_corner(sketch.obstacles, setting.room, insets)
+        if found:
+            add_inset(sketch, *found)
+            return sketch
     return None if own else full
 
 
