@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vad.plan.geometry import Rect
-from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.obstacles import PIXEL, Obstacles
 
 EDGE = Rect(0.0, 0.0, 1.0, 1.0)
 SHARES = st.integers(0, 64).map(lambda part: part / 64)  # so that some touch
@@ -75,6 +75,42 @@ def test_a_box_keeps_apart_from_another(box, centre, size):
 def test_a_leader_however_long_takes_little_memory(line, far):
     within = obstacles([line], [])
     assert 0.0 < within.covered(0.5 + 0.5j, complex(far, 0.5)) <= far
+
+
+@given(st.lists(LINES), st.lists(st.tuples(POINTS, POINTS)))
+def test_leaders_together_are_told_the_same_as_alone(lines, leaders):
+    all_ = obstacles(lines, [])
+    alone = [all_.covered(*leader) for leader in leaders]
+    starts, ends = np.array(leaders, dtype=complex).reshape(-1, 2).T
+    assert all_.all_covered(starts, ends).tolist() == alone
+
+
+@given(LINES, POINTS, POINTS)
+def test_a_leader_lies_on_a_stroke_at_the_places_along_it_that_are_not_free(line, start, end):
+    all_, count = obstacles([line], []), max(2, int(abs(end - start) * 240.0))
+    some = [start + (end - start) * each / count for each in range(1, count)]
+    lies_on = sum(not all_.has_room(each, 0.0, 0.0, PIXEL, 0j) for each in some)
+    found = all_.covered(start, end)
+    assert abs(found - lies_on * abs(end - start) / count) <= 3.0 * abs(end - start) / count
+
+
+@given(st.lists(LINES), st.lists(BOXES), BOXES, SIZES, APART)
+def test_what_is_near_is_all_that_a_place_there_meets(lines, boxes, area, size, apart):
+    """A label in the middle of an area that holds it and what it keeps from."""
+    all_, (wide, high) = obstacles(lines, boxes), size
+    aside, above = max(0.006, apart.real) + wide / 2, max(0.006, apart.imag) + high / 2
+    grown = Rect(area.left - aside, area.bottom - above, area.right + aside, area.top + above)
+    near = all_.near(grown)
+    assert set(near.lines) <= set(all_.lines)
+    corners = [complex(x, y) for x in (area.left, area.right) for y in (area.bottom, area.top)]
+    told = all_.free(corners, wide, high, 0.006, apart).tolist()
+    assert near.free(corners, wide, high, 0.006, apart).tolist() == told
+
+
+def test_what_is_far_off_is_not_near():
+    all_ = obstacles([(0.1 + 0.1j, 0.2 + 0.9j, 0.01)], [Rect(0.1, 0.1, 0.2, 0.2)])
+    near = all_.near(Rect(0.5, 0.5, 0.6, 0.6))
+    assert not near.lines and not near.boxes
 
 
 def test_a_stroke_that_ends_far_off_the_page_has_a_place():

@@ -20,6 +20,7 @@ from vad.plan.geometry import Rect
 from vad.plan.items import ALWAYS, FOREVER, Item
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Bow, Lettering, Polygon
+from vad.plan.pictures.sense_places import Places
 from vad.plan.pictures.senses import found_senses
 from vad.plan.pictures.senses_in_views import senses_in_views
 from vad.plan.problem_sheet import blank_panels, problem
@@ -160,6 +161,23 @@ def test_arrows_of_opposite_senses_on_one_link_point_opposite_ways(name):
     pairs = [each for each in ways.values() if len(each) == 2]
     assert pairs
     assert all((one * other.conjugate()).real < 0.0 for one, other in pairs)
+
+
+@pytest.mark.parametrize(("name", "most"), [("four-bar", 6), ("beam-engine", 120)])
+def test_no_more_places_are_looked_at_than_up_to_the_best(monkeypatch, name, most):
+    """The search for the place of a name is what takes long: few arrows come so far."""
+    counts = Counter[str]()
+    for step in ("_named", "_led"):
+        whole = getattr(Places, step)
+
+        def counted(places, *given, step=step, whole=whole):
+            counts[step] += 1
+            return whole(places, *given)
+
+        monkeypatch.setattr(Places, step, counted)
+    kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
+    drawn(kind())
+    assert 0 < counts.total() <= most, counts
 
 
 def test_an_arrow_comes_with_the_stroke_that_finds_it_and_not_on_a_problem():

@@ -18,6 +18,7 @@ from vad.plan.items import ALWAYS, Span, together
 Reals = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
 Bools = NDArray[np.bool_]
+Integers = NDArray[np.intp]
 
 #: A pixel of a page 720 pixels high: nearer than this is the same place to the eye.
 PIXEL = 1.0 / 720.0
@@ -76,7 +77,7 @@ class Obstacles:
 
     def free(
         self,
-        centres: Sequence[complex],
+        centres: Sequence[complex] | Complexes,
         wide: float,
         high: float,
         grow: float,
@@ -154,20 +155,49 @@ class Obstacles:
             self._kept = _Strokes.between(_near(starts), _near(ends), np.array(halves))
         return self._kept
 
+    def near(self, box: Rect) -> Obstacles:
+        """Return only the obstacles that reach into a box."""
+        if not self.lines:
+            return self.copy()
+        centre, wide, high = box.centre, box.width / 2, box.height / 2
+        meets = _meets(np.array([centre]), wide, high, self._strokes())[0]
+        boxes = [
+            each
+            for each in self.boxes
+            if abs(each[0].centre.real - centre.real) <= wide + each[0].width / 2
+            and abs(each[0].centre.imag - centre.imag) <= high + each[0].height / 2
+        ]
+        return Obstacles(self.edge, [*itertools.compress(self.lines, meets.tolist())], boxes)
+
     def covered(self, start: complex, end: complex) -> float:
         """Return how much of a leader would lie on strokes."""
-        steps = int(min(max(2.0, abs(end - start) / _SAMPLED), _MOST_SAMPLES))
-        centres = [start + (end - start) * i / steps for i in range(1, steps)]
-        lies_on = ~self.free(centres, 0.0, 0.0, PIXEL)
-        return float(lies_on.sum()) * abs(end - start) / steps
+        return float(self.all_covered([start], [end])[0])
 
-    def clear_of_labels(self, lines: Sequence[tuple[complex, complex]], half_width: float) -> Bools:
+    def all_covered(
+        self, starts: Sequence[complex] | Complexes, ends: Sequence[complex] | Complexes
+    ) -> Reals:
+        """Return how much of each leader, given by its ends, would lie on strokes."""
+        at = np.asarray(starts, dtype=np.complex128)
+        ways = np.asarray(ends, dtype=np.complex128) - at
+        long = np.abs(ways)
+        steps = np.clip(long / _SAMPLED, 2.0, _MOST_SAMPLES).astype(np.intp)
+        number = np.repeat(np.arange(len(at)), steps - 1)
+        first = np.cumsum(steps - 1) - (steps - 1)
+        share = np.arange(1, len(number) + 1) - first[number]
+        centres: Complexes = at[number] + ways[number] * share / steps[number]
+        lies_on = ~self.free(centres, 0.0, 0.0, PIXEL)
+        found: Reals = np.bincount(number, lies_on, len(at)) * long / steps
+        return found
+
+    def clear_of_labels(
+        self, lines: Sequence[tuple[complex, complex]] | Complexes, half_width: float
+    ) -> Bools:
         """Tell for each straight stroke, given by its ends, whether it would meet no box."""
         at = np.array([box.centre for box, _ in self.boxes], dtype=np.complex128)
         wide = np.array([box.width / 2 for box, _ in self.boxes])
         high = np.array([box.height / 2 for box, _ in self.boxes])
         starts, ends = np.array(lines, dtype=np.complex128).reshape(-1, 2).T
-        strokes = _Strokes.between(starts, ends, np.full(len(lines), half_width))
+        strokes = _Strokes.between(starts, ends, np.full(len(starts), half_width))
         free: Bools = ~np.logical_or.reduce(_meets(at, wide, high, strokes))
         return free
 

@@ -11,11 +11,12 @@ import itertools
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 
 import numpy as np
 
-from vad.plan.labels.obstacles import PIXEL, Bools, Complexes, Obstacles, Reals
+from vad.plan.geometry import Rect
+from vad.plan.labels.obstacles import PIXEL, Bools, Complexes, Integers, Obstacles, Reals
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
@@ -65,6 +66,8 @@ LEADERS, FAN = (0.025, 0.045, 0.070, 0.100, 0.130), np.exp(2j * np.pi * np.arang
 START, GAP, LED_ARROWS = 0.008, 0.005, 24
 #: So much of a leader lies at most on the stroke that it crosses, where every one crosses some.
 ONE_STROKE = 0.016
+#: So many arrows are looked at together.
+AT_ONCE = 16
 #: So many arrows of one sense are tried with one of the other.
 MOST_PAIRS = 40
 #: What lies so near the axis of a link belongs to it.
@@ -155,14 +158,19 @@ class Places:
         if len(senses) != 2:
             return [next(self.of(taken, *sense), None) for sense in senses]
         one, other = senses
-        firsts = [*itertools.islice(self.of(taken, *one), MOST_PAIRS)]
-        for together, first in itertools.product((True, False), firsts):
+        firsts, again = itertools.tee(itertools.islice(self.of(taken, *one), MOST_PAIRS))
+        pairs = itertools.chain(
+            zip(itertools.repeat(True), firsts), zip(itertools.repeat(False), again)
+        )
+        alone: SensePlace | None = None
+        for together, first in pairs:
+            alone = alone or first
             crowd = taken.copy()
             first.block(crowd)
             second = self._against(crowd, (first.centre, first.way(one[0])), other, together)
             if second:
                 return [first, second]
-        return [firsts[0], None] if firsts else [None, next(self.of(taken, *other), None)]
+        return [alone, None] if alone else [None, next(self.of(taken, *other), None)]
 
     def _against(
         self,
@@ -199,23 +207,51 @@ class Places:
     ) -> Iterator[SensePlace]:
         """Yield the places of an arrow and its name, the best first, those with a leader last."""
         costs = self.costs + 0.1 * (self.sides * sign < 0.0)
-        free = self.free if good is None else self.free & good
-        order = [each for each in np.argsort(costs, kind="stable").tolist() if free[each]]
-        new = Obstacles(taken.edge, taken.lines[len(self.drawn.lines) :])
+        left = np.flatnonzero(self.apt if good is None else self.apt & good)
+        order = left[np.argsort(costs[left], kind="stable")]
         bare = []
-        for number in order:
-            line = self.lines[number].tolist()
-            if not taken.clear_of_labels([*itertools.pairwise(line)], self._clear).all():
-                continue
-            if not new.free(line, 0.0, 0.0, self._clear + 2.0 * PIXEL).all():
-                continue
+        for number in self._clear_of(taken, order):
             found = self._named(taken, number, sign, name, float(costs[number]))
             if found:
                 yield found
             else:
                 bare.append(number)
-        led = [self._led(taken, each, name, float(costs[each])) for each in bare[:LED_ARROWS]]
-        yield from sorted((each for each in led if each), key=lambda each: each.cost)
+        crossing: list[SensePlace] = []
+        for number in bare[:LED_ARROWS]:
+            cost = float(costs[number])
+            while crossing and crossing[0].cost <= cost + LED:  # no later one is better
+                yield crossing.pop(0)
+            led = self._led(taken, number, name, cost)
+            if led and led.cost > cost + LED:
+                crossing.append(led)
+            elif led:
+                yield led
+        yield from crossing
+
+    def _clear_of(self, taken: Obstacles, order: Integers) -> Iterator[int]:
+        """Yield those of some arrows that meet nothing, and no label."""
+        new = Obstacles(taken.edge, taken.lines[len(self.drawn.lines) :])
+        first, count = 0, AT_ONCE
+        while first < len(order):
+            some = order[first : first + count]
+            first, count = first + count, 2 * count  # most often one of the first ones suffices
+            some = some[self._free(some)]
+            lines = self.lines[some]
+            strokes = np.stack([lines[:, :-1], lines[:, 1:]], axis=-1)
+            bare = taken.clear_of_labels(strokes, self._clear).reshape(strokes.shape[:2])
+            clear: Bools = np.asarray(bare.all(axis=1))
+            clear[clear] = _all_free(new, lines[clear], self._clear + 2.0 * PIXEL)
+            yield from some[clear].tolist()
+
+    def _free(self, some: Integers) -> Bools:
+        """Tell which of some arrows meet nothing that is drawn but their own link."""
+        asked, free = self._told
+        new = some[~asked[some]]
+        asked[new] = True
+        for step in (len(SHARES) - 1, 1):  # most meet something at an end
+            new = new[_all_free(self._foreign, self.lines[new, ::step], self._clear)]
+        free[new] = True
+        return free[some]
 
     def _named(
         self, taken: Obstacles, number: int, sign: float, name: str, cost: float
@@ -226,7 +262,8 @@ class Places:
             wide, high = ink_size(symbols(name), letter)
             spots = list(self._spots(number, sign, wide, high))
             clear = taken.free(spots, wide, high, self._margin, self._apart)
-            clear &= own.free(spots, wide, high, 2.0 * PIXEL)
+            if clear.any():
+                clear &= own.free(spots, wide, high, 2.0 * PIXEL)
             if clear.any():
                 placed = Placed(spots[int(clear.argmax())], wide, high)
                 return self._place(number, placed, letter, cost + SMALL * (letter < LETTERS[0]))
@@ -251,26 +288,28 @@ class Places:
         own.line(line.tolist(), 2.0 * PIXEL)
         starts = line[[2, -3, len(line) // 2]]
         # Rows are leaders, by length, start and direction: the shortest first.
-        ways = np.tile(FAN, len(LEADERS) * len(starts))
+        rows = len(LEADERS) * len(starts)
+        ways: Complexes = np.tile(FAN, rows)
         feet = np.tile(np.repeat(starts, len(FAN)), len(LEADERS)) + START * ways
-        ends = feet + np.repeat(LEADERS, len(starts) * len(FAN)) * ways
-        spots = [beside(end, way, GAP, wide, high) for end, way in zip(ends, ways, strict=True)]
-        free = taken.free(spots, wide, high, self._margin, self._apart)
-        free &= own.free(spots, wide, high, CLEARANCE)
-        crossing = None
-        for each in np.flatnonzero(free).tolist():
-            foot, end = complex(feet[each]), complex(ends[each])
-            if not taken.clear_of_labels([(foot, end)], CLEARANCE).all():
-                continue
-            if own.covered(foot, end):
-                continue
-            spot = Placed(complex(spots[each]), wide, high, (foot, end))
-            covered = taken.covered(foot, end)
-            if not covered:
-                return self._place(number, spot, LETTERS[0], cost + LED)
-            if covered < ONE_STROKE and crossing is None:
-                crossing = self._place(number, spot, LETTERS[0], cost + 2.0 * LED)
-        return crossing
+        ends: Complexes = feet + np.repeat(LEADERS, len(starts) * len(FAN)) * ways
+        spots = ends + np.tile([beside(0j, way, GAP, wide, high) for way in FAN.tolist()], rows)
+        near = taken.near(_around(spots, wide + FARTHEST, high + FARTHEST))
+        good = np.flatnonzero(near.free(spots, wide, high, self._margin, self._apart))
+        good = good[own.free(spots[good], wide, high, CLEARANCE)]
+        leaders = np.stack([feet, ends], axis=-1)
+        good = good[near.clear_of_labels(leaders[good], CLEARANCE)]
+        good = good[own.all_covered(feet[good], ends[good]) == 0.0]
+        covered = near.all_covered(feet[good], ends[good])
+        bare = good[covered == 0.0]
+        if not bare.size:
+            cost += LED
+            bare = good[covered < ONE_STROKE]
+        if not bare.size:
+            return None
+        best = int(bare[0])
+        leader = complex(feet[best]), complex(ends[best])
+        spot = Placed(complex(spots[best]), wide, high, leader)
+        return self._place(number, spot, LETTERS[0], cost + LED)
 
     def _place(self, number: int, name: Placed, letter: float, cost: float) -> SensePlace:
         return SensePlace(
@@ -286,52 +325,47 @@ class Places:
     # --- arrays: one row for each arrow, whatever its sense ---
 
     @cached_property
-    def _table(self) -> list[tuple[complex, float, float, float, float, float]]:
-        """Centre, radius, span, middle, side and cost of all arrows."""
+    def _table(self) -> tuple[Complexes, Reals, Reals, Reals, Reals, Reals]:
+        """The centres of all arrows, their radii, spans, middles, sides and costs."""
         ends = [each for start, end in self.bars for each in ((start, end), (end, start))]
         fixed = [at for at, _ in ends if any(abs(at - each) < _OWN for each in self.pivots)]
-        found = []
+        centres, tables = [], []
         for at, to in ends:
             ahead, length = math.degrees(np.angle(to - at)), abs(to - at)
             loose = bool(fixed) and at not in fixed
+            table = _beside(loose)
             if not loose:
-                for (rank, radius), (less, long), share in itertools.product(
-                    enumerate(ACROSS), enumerate(LENGTHS), ON
-                ):
-                    span = math.degrees(long / radius)
-                    if radius < 0.92 * length and span < WIDEST:
-                        cost = 0.08 * rank + 0.3 * less + 0.6 * abs(share)
-                        found.append((at, radius, span, ahead + share * span, 0.0, cost))
-            for (rank, (radius, span)), off in itertools.product(enumerate(BESIDE), OFF):
-                if not loose or abs(off) >= 90:
-                    cost = ASIDE + LOOSE * loose + 0.12 * rank + 0.004 * abs(off)
-                    found.append((at, radius, span, ahead + off, float(np.sign(off)), cost))
-        return found
+                across = _across()
+                table = np.hstack([across[:, across[0] < 0.92 * length], table])
+            tables.append(table + np.array([[0.0], [0.0], [ahead], [0.0], [0.0]]))
+            centres.append(np.full(table.shape[1], at))
+        radii, spans, middles, sides, costs = np.hstack(tables)
+        return np.concatenate(centres), radii, spans, middles, sides, costs
 
-    @cached_property
+    @property
     def centres(self) -> Complexes:
         """The ends about which the arrows stand."""
-        return np.array([each[0] for each in self._table])
+        return self._table[0]
 
-    @cached_property
+    @property
     def radii(self) -> Reals:
         """Their radii."""
-        return np.array([each[1] for each in self._table])
+        return self._table[1]
 
-    @cached_property
+    @property
     def spans(self) -> Reals:
         """How long they are, in degrees."""
-        return np.array([each[2] for each in self._table])
+        return self._table[2]
 
-    @cached_property
+    @property
     def middles(self) -> Reals:
         """Where their middles are, in degrees."""
-        return np.array([each[3] for each in self._table])
+        return self._table[3]
 
-    @cached_property
+    @property
     def sides(self) -> Reals:
         """On which side of the link they lie: 1 on the left, 0 across it."""
-        return np.array([each[4] for each in self._table])
+        return self._table[4]
 
     @cached_property
     def lines(self) -> Complexes:
@@ -343,35 +377,67 @@ class Places:
     @cached_property
     def costs(self) -> Reals:
         """How bad each of them is."""
-        own = np.array([each[5] for each in self._table])
         middle = self.lines[:, len(SHARES) // 2]
         strange = distances(middle, self.others) < distances(middle, self.bars)
-        costs: Reals = own + STRANGE * strange
+        costs: Reals = self._table[5] + STRANGE * strange
         return costs
 
     @cached_property
-    def free(self) -> Bools:
-        """Which of them meet nothing but their own link, and that not with an end."""
+    def apt(self) -> Bools:
+        """Which of them lie near enough to their own link, and meet it with no end."""
         lines = self.lines
-        foreign = Obstacles(
-            self.drawn.edge,
-            [
-                each
-                for each in self.drawn.lines
-                if each[2] >= self.thin and not any(_along(each, bar) for bar in self.bars)
-            ],
-        )
-        clear = distances(lines[:, len(SHARES) // 2], self.bars) < self.farthest
+        apt = np.asarray(distances(lines[:, len(SHARES) // 2], self.bars) < self.farthest)
         for end in (0, -1):
-            clear &= distances(lines[:, end], self.bars) > ENDS
-        for some in (lines[:, :: len(SHARES) - 1], lines):  # most meet something at an end
-            left = np.flatnonzero(clear)
-            free = foreign.free(some[left].ravel().tolist(), 0.0, 0.0, self._clear)
-            clear[left] = free.reshape(len(left), -1).all(axis=1)
-        aside = self.sides != 0.0
-        near = distances(lines.ravel(), self.bars).reshape(lines.shape).min(axis=1) < ENDS
-        found: Bools = clear & ~(aside & near)
-        return found
+            apt[apt] = distances(lines[apt, end], self.bars) > ENDS
+        aside = np.flatnonzero(apt & (self.sides != 0.0))
+        apt[aside] = distances(lines[aside], self.bars).min(axis=1) >= ENDS
+        return apt
+
+    @cached_property
+    def _foreign(self) -> Obstacles:
+        """What is drawn and is not their own link."""
+        kept = [each for each in self.drawn.lines if each[2] >= self.thin]
+        starts, ends = (np.array([each[end] for each in kept], complex) for end in (0, 1))
+        own = np.zeros(len(kept), bool)
+        for bar in self.bars:  # a stroke along it, or a joint at one of its ends
+            own |= (distances(starts, [bar]) < _OWN) & (distances(ends, [bar]) < _OWN)
+        return Obstacles(self.drawn.edge, [*itertools.compress(kept, ~own)])
+
+    @cached_property
+    def _told(self) -> tuple[Bools, Bools]:
+        """Of which arrows it is known whether they are free, and which of them are."""
+        return np.zeros(len(self.apt), bool), np.zeros(len(self.apt), bool)
+
+
+@cache
+def _across() -> Reals:
+    """Return what `Places` has of arrows across a link that points to the right."""
+    found = []
+    for (rank, radius), (less, long), share in itertools.product(
+        enumerate(ACROSS), enumerate(LENGTHS), ON
+    ):
+        span = math.degrees(long / radius)
+        if span < WIDEST:
+            cost = 0.08 * rank + 0.3 * less + 0.6 * abs(share)
+            found.append((radius, span, share * span, 0.0, cost))
+    return np.array(found).T
+
+
+@cache
+def _beside(loose: bool) -> Reals:
+    """Return the same of arrows beside it, about an end that is ``loose`` or not."""
+    found = []
+    for (rank, (radius, span)), off in itertools.product(enumerate(BESIDE), OFF):
+        if not loose or abs(off) >= 90:
+            cost = ASIDE + LOOSE * loose + 0.12 * rank + 0.004 * abs(off)
+            found.append((radius, span, off, float(np.sign(off)), cost))
+    return np.array(found).T
+
+
+def _all_free(obstacles: Obstacles, lines: Complexes, clear: float) -> Bools:
+    """Tell for which rows every point is so far from all obstacles."""
+    free = obstacles.free(lines.ravel(), 0.0, 0.0, clear).reshape(lines.shape)
+    return np.asarray(free.all(axis=1))
 
 
 def distances(spots: Complexes, bars: Sequence[Bar]) -> Reals:
@@ -384,10 +450,11 @@ def distances(spots: Complexes, bars: Sequence[Bar]) -> Reals:
     return found
 
 
-def _along(line: tuple[complex, complex, float, object], bar: Bar) -> bool:
-    """Tell whether a stroke lies along a bar, or is a joint at one of its ends."""
-    ends = np.array(line[:2])
-    return bool((distances(ends, [bar]) < _OWN).all())
+def _around(spots: Complexes, wide: float, high: float) -> Rect:
+    """Return a box about all boxes of a size at some places."""
+    x, y = spots.real, spots.imag
+    left, right, low, top = float(x.min()), float(x.max()), float(y.min()), float(y.max())
+    return Rect(left - wide / 2, low - high / 2, right + wide / 2, top + high / 2)
 
 
 def _ray(degrees: float) -> complex:
