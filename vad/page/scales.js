@@ -17,10 +17,11 @@ function scales(root, data, out, state) {
     const below = svgs[data.halves[half][0]].querySelector(`[data-bar="${half}"]`);
     const made = { input, corners, inner, bar, below, now: state.slice(input, input + 3), half, mechanism };
     if (!below && bar) {
-      made.top = document.createElement("p");
-      made.top.className = "scale hand";
-      made.top.innerHTML = '<span class="bar"></span><span> </span>';
-      tops[data.halves[half][0]].append(made.top);
+      const place = document.createElement("p");
+      place.className = "scale hand";
+      place.innerHTML = '<span><span class="bar"></span><span> </span></span>';
+      tops[data.halves[half][0]].append(place);
+      made.top = place.firstChild;
     }
     made.to = made.now;
     if (large) made.sides = [{ inner, bar, start: made.now }, { ...large, bar: bar && { ...bar, ...large.bar } }];
