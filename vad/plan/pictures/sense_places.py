@@ -163,13 +163,18 @@ class Places:
             zip(itertools.repeat(True), firsts), zip(itertools.repeat(False), again)
         )
         alone: SensePlace | None = None
+        clear: Bools | None = None
         for together, first in pairs:
             alone = alone or first
             crowd = taken.copy()
             first.block(crowd)
-            second = self._against(crowd, (first.centre, first.way(one[0])), other, together)
+            way = first.way(one[0])
+            second = self._against(crowd, (first.centre, way), other, together, clear)
             if second:
                 return [first, second]
+            if clear is None:  # what meets something now does so beside all the others, too
+                clear = np.zeros(len(self.apt), bool)
+                clear[[*self._clear_of(taken, np.flatnonzero(self.apt))]] = True
         return [alone, None] if alone else [None, next(self.of(taken, *other), None)]
 
     def _against(
@@ -178,16 +183,20 @@ class Places:
         there: tuple[complex, complex],
         sense: tuple[float, str],
         together: bool,
+        clear: Bools | None = None,
     ) -> SensePlace | None:
         """Return the best place of an arrow that points against one that is there.
 
-        Both stand about one end if they are to be ``together``.
+        Both stand about one end if they are to be ``together``.  Where it is known, ``clear`` tells
+        which arrows meet nothing.
         """
         centre, way = there
         ways = sense[0] * 1j * np.exp(1j * np.radians(self.middles))
         good: Bools = (ways * way.conjugate()).real < AGAINST
         if together:
             good &= np.abs(self.centres - centre) < PIXEL
+        if clear is not None:
+            good &= clear
         return next(self.of(taken, *sense, good), None)
 
     @property
