@@ -15,6 +15,7 @@ from tests.plan.test_overlaps import RAMS, turn
 from vad.files.examples import example_names, example_path
 from vad.plan.board import Plan
 from vad.plan.items import FOREVER, Level
+from vad.plan.labels.placing import distance
 from vad.plan.lens import BAND, Lens
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import plain
@@ -65,8 +66,9 @@ def standing(sketch: Sketch, lens: bool) -> list[Mark]:
 
 
 def letters_in(sketch: Sketch, lens: Lens) -> set[str]:
-    """Return the labels in a lens."""
-    return {tag.text for tag in sketch.tags if abs(tag.box.centre - lens.at) < lens.radius}
+    """Return the labels that stay in a lens."""
+    stay = (tag for tag in sketch.tags if tag.span[1] == FOREVER)
+    return {tag.text for tag in stay if abs(tag.box.centre - lens.at) < lens.radius}
 
 
 def check(sketch: Sketch) -> None:
@@ -90,7 +92,24 @@ def check(sketch: Sketch) -> None:
             if isinstance(mark.shape, Disc) and abs(mark.shape.centre - lens.at) < lens.radius
         ]
         assert len(dots) >= 2
-        assert letters_in(sketch, lens)
+        shown = [each for each in sketch.vertices if abs(lens(each.at) - lens.at) < lens.radius]
+        assert letters_in(sketch, lens) == {each.label for each in shown}
+        beside = {
+            tag.text: tag.box
+            for tag in sketch.tags
+            if tag.span[1] == FOREVER and abs(tag.box.centre - lens.at) < lens.radius
+        }
+        for each in shown:
+            box = beside[each.label]
+            off = distance(box, lens(each.at))
+            assert off < 0.040, lens
+            assert all(off <= distance(box, lens(other.at)) for other in shown), lens
+        start, end = lens.leader
+        for mark in standing(sketch, lens=True):
+            if mark.role in ("notes", "scale bar"):
+                across = ((ink(mark.shape) - start) / (end - start)).astype(complex)
+                along = np.clip(across.real, 0.0, 1.0)
+                assert np.abs((across - along) * (end - start)).min() > 0.002, lens
         for tag in sketch.tags:
             if tag.span[1] <= close.since:
                 continue
@@ -178,6 +197,36 @@ def test_a_problem_gives_nothing_away():
         if isinstance(mark.shape, Lettering)
     ]
     assert letters == ["a′, d′"]
+
+
+@pytest.mark.parametrize(
+    ("name", "pose"),
+    [
+        (
+            "landing-gear",
+            {
+                "position": 196.2685500589963,
+                "velocity": 35.69778678316446,
+                "acceleration": 27.781263695507896,
+            },
+        ),
+        ("watt-2", {"angle": 30.0, "omega": 10.0, "alpha": -20.0}),
+        (
+            "double-slider",
+            {
+                "position": -814.0638795573723,
+                "velocity": 1180.9194329295744,
+                "acceleration": 5139.292168922805,
+            },
+        ),
+    ],
+)
+def test_all_that_a_lens_shows_has_its_letters_there(name: str, pose: dict[str, float]):
+    mechanism = vad.MECHANISMS.get(name) or vad.load(example_path(name))
+    sketches = planned(vad.draw(vad.solve(mechanism(), **pose))).sketches.values()
+    assert any(sketch.lenses for sketch in sketches)
+    for sketch in sketches:
+        check(sketch)
 
 
 @pytest.mark.parametrize("name", ["four-bar", "slider-crank", "crank-slotted-lever", "whitworth"])

@@ -7,9 +7,9 @@ points `APART`, and has the letters of all that it shows.  Needs that are near s
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, islice
 
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.vertices import SAME, Vertex
@@ -29,6 +29,7 @@ LARGEST, LARGEST_ALONE, SMALLEST = 0.108, 0.135, 0.068
 #: The least radius of the circle about the place.
 LEAST_RING = 0.0165
 MOST = 2  # lenses in a panel
+TRIED = 10  # of the places that a lens may show
 #: What points told apart nearly, and a letter that finds a place, count beside points told apart.
 NEARLY, LETTER = 0.5, 0.1
 #: Above this factor, points are so near that it says little to tell them apart; what that counts.
@@ -63,34 +64,48 @@ def has_close(vertices: Sequence[Vertex]) -> bool:
 
 
 def close_places(
-    setting: Setting, vertices: Sequence[Vertex], far: Collection[str] = ()
+    setting: Setting,
+    vertices: Sequence[Vertex],
+    far: Collection[str],
+    has_letters: Callable[[Close], bool],
 ) -> list[Close]:
     """Return the places that need a lens, the one that tells most apart first.
 
-    ``far`` are labels that have no place beside their dots.
+    ``far`` are labels that have no place beside their dots.  Of each place all that a lens shows
+    ``has_letters`` there.
     """
     needs = list(_needs(vertices, far))
     found: list[Close] = []
     taken: set[int] = set()
     while needs and len(found) < MOST:
-        best: tuple[float, ...] | None = None
-        for need in needs:
-            for factor in FACTORS:
-                if not need.met(factor):
-                    continue
-                members = _gathered(vertices, need.members, factor, largest(setting), taken)
-                met = [each for each in needs if members.issuperset(each.members)]
-                pairs = sum(each.met(factor) for each in met)
-                score = pairs, len(met), -factor, -need.distance
-                if len(members) > 1 and met and (best is None or score > best):
-                    best, chosen = score, (members, factor, met)
-        if best is None:
+        tried = _tried(setting, vertices, needs, taken)
+        close = next(filter(has_letters, islice(tried, TRIED)), None)
+        if close is None:
             break
-        close = _close(setting, vertices, *chosen)
         found.append(close)
         taken.update(close.members)
-        needs = [each for each in needs if not taken & set(each.members)]
+        needs = [each for each in needs if not taken.issuperset(each.members)]
     return found
+
+
+def _tried(
+    setting: Setting, vertices: Sequence[Vertex], needs: Sequence[Need], taken: Collection[int]
+) -> Iterator[Close]:
+    """Yield the places that meet some of the needs, the one that meets them best first."""
+    found: dict[tuple[frozenset[int], float], tuple[tuple[float, ...], list[Need]]] = {}
+    for need in needs:
+        for factor in FACTORS:
+            if not need.met(factor):
+                continue
+            gathered = _gathered(vertices, need.members, factor, largest(setting), taken)
+            for members in (gathered, frozenset(need.members)):
+                met = [each for each in needs if members.issuperset(each.members)]
+                pairs = sum(each.met(factor) for each in met)
+                score = -pairs, -len(met), factor, need.distance
+                if len(members) > 1:
+                    found.setdefault((members, factor), (score, met))
+    for (members, factor), (_, met) in sorted(found.items(), key=lambda each: each[1][0]):
+        yield _close(setting, vertices, members, factor, met)
 
 
 def largest(setting: Setting) -> float:
@@ -112,7 +127,7 @@ def _needs(vertices: Sequence[Vertex], far: Collection[str]) -> Iterator[Need]:
 def _close(
     setting: Setting,
     vertices: Sequence[Vertex],
-    members: set[int],
+    members: frozenset[int],
     factor: float,
     met: Sequence[Need],
 ) -> Close:
@@ -132,7 +147,7 @@ def _gathered(
     factor: float,
     radius: float,
     taken: Collection[int],
-) -> set[int]:
+) -> frozenset[int]:
     """Return some vertices with those near to them, as many as a lens can show with letters.
 
     What even the lens cannot tell apart is left to another.
@@ -151,7 +166,7 @@ def _gathered(
         _, reach = _about(vertices, [*members, number])
         if factor * reach <= radius - LETTERED:
             members.append(number)
-    return set(members)
+    return frozenset(members)
 
 
 def _about(vertices: Sequence[Vertex], members: Sequence[int]) -> tuple[complex, float]:

@@ -22,7 +22,6 @@ from vad.plan.items import ALWAYS, FOREVER, Item, Level
 from vad.plan.labels.choices import PlacedLabels
 from vad.plan.labels.close import (
     LEAST_RING,
-    LETTERED,
     MOST,
     SMALLEST,
     close_places,
@@ -74,7 +73,7 @@ class View(NamedTuple):
     """What a lens about the origin shows, and the places of its letters, of one size.
 
     The marks of each item have their shapes before they are cut.  Letters have the numbers of their
-    vertices.
+    vertices, of which ``dots`` are the places.
     """
 
     lens: Lens
@@ -82,11 +81,14 @@ class View(NamedTuple):
     size: float
     in_line: int
     letters: list[tuple[int, Placed]]
+    dots: list[complex]
 
     def within(self, radius: float) -> View | None:
         """Return it in a smaller lens; None where a letter would not be in it."""
         inner = radius - ROLES["lens rim"].width - CLEARANCE
         if any(_reach(placed.box) > inner for _, placed in self.letters):
+            return None
+        if any(abs(at) > radius - INNER for at in self.dots):
             return None
         return self._replace(lens=replace(self.lens, radius=radius))
 
@@ -137,9 +139,15 @@ class LensedLabels(PlacedLabels):
             If a lens has no place.
         """
         setting, sketch.vertices = sketch.setting, vertices
-        self.close = close_places(setting, vertices, self._far) if self._count else []
+        scenes: dict[Close, _Scene] = {}
+
+        def has_letters(close: Close) -> bool:
+            scene = scenes[close] = _Scene(sketch, close)
+            return scene.has_letters
+
+        self.close = close_places(setting, vertices, self._far, has_letters) if self._count else []
         count = min(self._count, len(self.close))
-        if count and not add_lenses(sketch, self.close, count):
+        if count and not add_lenses(sketch, [scenes[each] for each in self.close], count):
             raise NoRoomError
         hidden = {number for close in sketch.close for number in close.members}
         seen = [vertex for number, vertex in enumerate(vertices) if number not in hidden]
@@ -218,29 +226,23 @@ def _smaller_rooms(setting: Setting) -> list[Rect]:
     return [each for scale, each in sorted(scales, key=itemgetter(0)) if -scale >= least]
 
 
-def add_lenses(sketch: Sketch, close: Sequence[Close], count: int) -> bool:
+def add_lenses(sketch: Sketch, scenes: Sequence[_Scene], count: int) -> bool:
     """Add the lenses of so many close places, and tell whether there is room for them.
 
-    Where not even the largest lens has room for its letters, there is none.  The inset of a panel
-    takes its corner before them, or else after them.
+    The inset of a panel takes its corner before them, or else after them.
     """
     setting = sketch.setting
     room, insets = setting.room, insets_of(setting)
-    radii = np.linspace(largest(setting), SMALLEST, RADII).tolist()
-    full = _field(sketch, min(each.since for each in close))
-    all_ = (_Scene(sketch, each) for each in close)
-    scenes = [each for each in all_ if each.has_letters]
-    if not scenes:
-        return True
+    full = _field(sketch, min(each.since for each in scenes))
     inset = first_corner(sketch.obstacles, room, insets)
     if insets and not inset:
         return False
     fields = [full]
     if inset:
         fields.insert(0, full.less(Obstacles(room, [], [(box, ALWAYS) for box in boxes(*inset)])))
-    for some in combinations(scenes, min(count, len(scenes))):
+    for some in combinations(scenes, count):
         for field in fields:
-            found = _together(some, field, radii)
+            found = _together(some, field)
             if found is None:
                 continue
             if insets and field is full:
@@ -259,19 +261,17 @@ def add_lenses(sketch: Sketch, close: Sequence[Close], count: int) -> bool:
     return False
 
 
-def _together(
-    scenes: Sequence[_Scene], field: Field, radii: Sequence[float]
-) -> list[tuple[_Scene, Spot, View]] | None:
+def _together(scenes: Sequence[_Scene], field: Field) -> list[tuple[_Scene, Spot, View]] | None:
     """Return the places of lenses side by side, and what they show; None where one has none.
 
     Of two, the one that takes its place first leaves more room if it is smaller.
     """
-    for first in (0, len(radii) - 2) if len(scenes) > 1 else (0,):
+    for first in (0, RADII - 2) if len(scenes) > 1 else (0,):
         for order in dict.fromkeys((tuple(scenes), tuple(reversed(scenes)))):
             room = field
             found: list[tuple[_Scene, Spot, View]] = []
             for scene in order:
-                fitting = scene.place(room, radii if found else radii[first:])
+                fitting = scene.place(room, 0 if found else first)
                 if fitting is None and not found and not first:
                     return None  # it has no place even alone
                 if fitting is None:
@@ -289,7 +289,8 @@ class _Scene:
     def __init__(self, sketch: Sketch, close: Close) -> None:
         self._sketch, self._close = sketch, close
         self._views: dict[float, View | None] = {}
-        most = largest(sketch.setting) + max(map(abs, ASIDES))
+        self._radii: list[float] = np.linspace(largest(sketch.setting), SMALLEST, RADII).tolist()
+        most = self._radii[0] + max(map(abs, ASIDES))
         wide = Lens(close.middle, LEAST_RING, close.factor, 0j, most)
         solved = wide.solved(sketch.solved)
         self._whole: Whole = []
@@ -306,22 +307,24 @@ class _Scene:
             if marks:
                 self._whole.append((item, marks))
 
-    def place(self, field: Field, radii: Sequence[float]) -> tuple[Spot, View] | None:
-        """Return the best place of a lens of one of the ``radii``, and what is seen there."""
-        setting, close = self._sketch.setting, self._close
-        least = close.factor * close.reach + LETTERED - 1e-9
-        own = [radius for radius in radii if radius >= least]
-        for spot in field.places(setting, self._sketch.scale, close, own):
+    def place(self, field: Field, first: int) -> tuple[Spot, View] | None:
+        """Return the best place of a lens, and what is seen there, without the ``first`` radii."""
+        own = [radius for radius in self._radii[first:] if self._view(radius)]
+        for spot in field.places(self._sketch.setting, self._sketch.scale, self._close, own):
             view = self._view(spot.lens.radius)
-            if view:
-                lens = replace(spot.lens, aside=view.lens.aside)
-                return replace(spot, lens=lens), view
+            assert view is not None
+            return replace(spot, lens=replace(spot.lens, aside=view.lens.aside)), view
         return None
 
     @property
+    def since(self) -> int:
+        """The beat in which there is something to tell apart."""
+        return self._close.since
+
+    @property
     def has_letters(self) -> bool:
-        """Whether letters have room in the largest lens."""
-        return self._view(largest(self._sketch.setting)) is not None
+        """Whether all that a lens shows has its letters there."""
+        return any(map(self._view, self._radii[::2]))
 
     def add(self, spot: Spot, view: View) -> None:
         """Add a lens with what it shows, and its letters."""
@@ -363,40 +366,32 @@ class _Scene:
     def _view(self, radius: float) -> View | None:
         """Return what a lens of a radius shows about the origin; None where letters lack room."""
         if radius not in self._views:
-            larger = [view for known, view in self._views.items() if known > radius]
-            views = [None if view is None else view.within(radius) for view in larger]
-            lacks = None in larger
-            seen = next(filter(None, views), None)
-            self._views[radius] = seen or (None if lacks else self._seen(radius))
+            views = (view and view.within(radius) for view in self._views.values())
+            self._views[radius] = next(filter(None, views), None) or self._seen(radius)
         return self._views[radius]
 
     def _seen(self, radius: float) -> View | None:
-        """Return what a lens shows.
+        """Return what a lens shows: every vertex that it shows has its letters beside its dot.
 
-        Where a letter has no place beside its dot, they are smaller, or the lens is moved a little
-        over what it shows; then it has fewer of them, and at last they have leaders.
+        Where one has no place, they are smaller, or the lens is moved a little over what it shows.
         """
         close, sketch = self._close, self._sketch
-        lens = Lens(close.middle, LEAST_RING, close.factor, 0j, radius)
-        seen: dict[complex, tuple[Lens, Obstacles]] = {}
-        for count in sorted({len(close.members), close.needed, 2}, reverse=True):
-            members = close.members[:count]
-            some = replace(close, members=members)
-            for off in ASIDES:
-                if abs(off) + close.factor * close.reach > radius - INNER:
-                    continue
-                if off not in seen:
-                    aside = replace(lens, aside=off)
-                    seen[off] = aside, _crowd(aside, self._shown(aside))
-                aside, crowd = seen[off]
-                for size, in_line in LETTERS:
-                    letters = _letters(sketch, some, aside, crowd, size, in_line)
-                    if letters:
-                        return View(aside, some, size, in_line, letters)
-        for aside, crowd in seen.values():
-            led = _letters(sketch, some, aside, crowd, size, in_line, far=True)
-            if led:
-                return View(aside, some, size, in_line, led)
+        needed = set(close.members[: close.needed])
+        for off in ASIDES:
+            lens = Lens(close.middle, LEAST_RING, close.factor, 0j, radius, off)
+            offs = [abs(lens(vertex.at)) for vertex in sketch.vertices]
+            inside = [number for number, each in enumerate(offs) if each < radius]
+            if not needed.issubset(inside) or max(offs[n] for n in inside) > radius - INNER:
+                continue
+            first = (*(n for n in close.members if n in inside), *inside)
+            some = replace(close, members=tuple(dict.fromkeys(first)))
+            crowd = _crowd(lens, self._shown(lens))
+            least = _letters(sketch, some, lens, crowd, *LETTERS[-1])
+            for size, in_line in LETTERS if least else ():
+                letters = _letters(sketch, some, lens, crowd, size, in_line)
+                if letters:
+                    dots = [lens(sketch.vertices[number].at) for number, _ in letters]
+                    return View(lens, some, size, in_line, letters, dots)
         return None
 
 
@@ -452,18 +447,14 @@ def _letters(
     crowd: Obstacles,
     size: float,
     in_line: int,
-    far: bool = False,
 ) -> list[tuple[int, Placed]]:
-    """Return the letters of a lens by the numbers of their vertices; none where one has no place.
-
-    ``far`` allows leaders.
-    """
+    """Return the letters of a lens by the numbers of vertices, none where one lacks a place."""
     vertices = [_through(vertex, lens, in_line) for vertex in sketch.vertices]
     wishes = [wish(vertices[each], vertices, 0.0, NEAR, size) for each in close.members]
-    if not far and not all(near_places(crowd, each) for each in wishes):
+    if not all(near_places(crowd, each) for each in wishes):
         return []
     found = list(place_all(crowd.copy(), wishes))
-    if any(placed.forced or (placed.leader and not far) for _, placed in found):
+    if any(placed.forced or placed.leader for _, placed in found):
         return []
     return [(close.members[number], placed) for number, placed in found]
 

@@ -198,7 +198,9 @@ class Field:
             middles = [at + off for at in places]
             free = self.obstacles.free(middles, words.wide, words.high, CLEAR, APART)
             for at, middle, is_free in zip(places, middles, free.tolist(), strict=True):
-                past = beyond(box.moved(middle), lens.place) > lens.ring + CLEAR
+                there = box.moved(middle)
+                past = beyond(there, lens.place) > lens.ring + CLEAR
+                past &= not there.inside(-CLEAR).clipped(lens.place, at)
                 if is_free and past and inner.holds(middle + low) and inner.holds(middle + high):
                     found.setdefault(at, Spot(replace(lens, at=at), words, middle))
         return [found[at] for at in places if at in found]
