@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad.errors import UsageError
+from vad.lecture.chapters import chapters
 from vad.lecture.lesson import Lesson, Still, check_size, drawn_so_far
 from vad.lecture.moment import Moment
 from vad.lecture.scenes import is_staged
@@ -111,7 +112,7 @@ def board_of(lesson: Lesson) -> Stage | Plan:
     key = load_style(lesson.style).key
     form = screen(lesson.size)
     if is_staged(lesson.sheet):
-        return Stage(lesson.sheet, form, key, lesson.travels)
+        return Stage(lesson.sheet, form, key, lesson.travels, chapters(lesson))
     return plan(lesson.sheet, form, key, lesson=True, travels=lesson.travels)
 
 

@@ -23,6 +23,7 @@ from vad.plan.layout import (
     PanelPlace,
     caption_baselines,
 )
+from vad.plan.page.chapters import CHAPTERS, HEIGHT
 from vad.plan.scale import padded
 
 #: So many times as large as on a sheet are lines and letters of the large panel, and of thumbnails.
@@ -79,7 +80,8 @@ class SceneLayout:
             found[name] = Rect(whole.left, drawing.bottom, whole.right, drawing.top)
         work, aside = self.work, GUTTER / 3
         found[WORK] = Rect(work.left - aside, low, work.right + aside, work.top + aside)
-        found[CAPTION] = Rect(0.0, 0.0, page.width, low)
+        found[CAPTION] = Rect(0.0, HEIGHT, page.width, low)
+        found[CHAPTERS] = Rect(0.0, 0.0, page.width, HEIGHT)
         found[FLIGHT] = Rect(0.0, 0.0, page.width, page.height)
         return found
 
@@ -106,7 +108,7 @@ def lay_out_scene(
     vad.errors.UsageError
         If the panels have no room.
     """
-    captions = caption_baselines(lines)
+    captions = tuple(HEIGHT + baseline for baseline in caption_baselines(lines))
     top, low = form.height - TOP_RULE, captions[0] + CAPTION_TOP
     left, right = MARGIN, form.width - MARGIN
     others = {name: shape for name, shape in shapes.items() if name != large}

@@ -13,6 +13,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from vad.lecture.answer import answer
+from vad.lecture.chapters import Chapter
 from vad.lecture.moment import Moment, drawing, finished
 from vad.lecture.scenes import scenes
 from vad.plan.board import Plan, column, pictures, plan, reach
@@ -25,6 +26,7 @@ from vad.plan.lettering.runs import bold, roman
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.moving import Move
 from vad.plan.page.changing import caption_lines, captions, numbers_said
+from vad.plan.page.chapters import CHAPTERS, chapter_marks
 from vad.plan.page.heads import head, pale, title_marks
 from vad.plan.page.work import in_work
 from vad.plan.pictures.senses import found_senses
@@ -38,7 +40,7 @@ from vad.strokes.travel import Travel
 #: The regions in which panels move: between scenes above the caption, at last on the whole page.
 MOVING, LAST_MOVE = "moving", "last move"
 #: The regions that all scenes have in common.
-SHARED = (TITLE, CAPTION, FLIGHT)
+SHARED = (TITLE, CAPTION, CHAPTERS, FLIGHT)
 SMALL_TITLE, LEAST_SMALL_TITLE = 0.030, 0.020
 #: In a thumbnail less wide than this, views have letters alone: values of angles and names of lines
 #: would stand far off.
@@ -65,6 +67,7 @@ class Stage:
         form: Format,
         key: float,
         travels: Mapping[str, Travel] | None = None,
+        chapters: Sequence[Chapter] = (),
     ) -> None:
         self.sheet, self.form, self._key, self._travels = sheet, form, key, travels
         self._names = scenes(sheet)
@@ -75,6 +78,8 @@ class Stage:
         self._made: dict[int, Plan] = {}
         self._moves: dict[tuple[int, int], Move] = {}
         self._told: list[Item] = []
+        strokes = sum(len(half.strokes) for half in sheet.halves)
+        self._chapters = [*chapter_marks(chapters, strokes, self._layouts[0].page)]
         first = self._layouts[0].regions
         low, top = first[CAPTION].top, first[TITLE].bottom
         self.regions: dict[str, Rect] = {TITLE: first[TITLE]}
@@ -83,7 +88,7 @@ class Stage:
         self._add(len(self._layouts), self.whole.regions)
         self.regions[MOVING] = Rect(0.0, low, form.width, top)
         self.regions[LAST_MOVE] = Rect(0.0, 0.0, form.width, top)
-        self.regions[CAPTION] = first[CAPTION]
+        self.regions |= {name: first[name] for name in (CAPTION, CHAPTERS)}
         self.regions[FLIGHT] = Rect(0.0, 0.0, form.width, form.height)
 
     def _add(self, number: int, regions: Mapping[str, Rect]) -> None:
@@ -113,9 +118,12 @@ class Stage:
             own = self._move(now, moment.beat).at(share)
         else:
             own = self.scene(now).shown(moment.beat)
-        said = [] if moment.scene > self.count - 1 else self._captions(self.scene(0).sketches)
-        # Title and caption are the same in all scenes.
-        shown = [*self._title, *own, *(each for each in said if _shows(each, moment.beat))]
+        # Title, caption and chapters are the same in all scenes.
+        shown = [*self._title, *own]
+        if moment.scene <= self.count - 1:
+            said, told = self._captions(self.scene(0).sketches), moment.beat if moment.said else 0
+            shown += [each for each in said if _shows(each, moment.beat)]
+            shown += [each for each in self._chapters if _shows(each, told)]
         return sorted(shown, key=lambda item: item.region == FLIGHT)
 
     def scene(self, number: int) -> Plan:
