@@ -27,6 +27,7 @@ from vad.plan.pictures.constructions import (
     line_of,
 )
 from vad.plan.pictures.figures import add_figures, letter_figures
+from vad.plan.pictures.known_velocities import add_known_velocity
 from vad.plan.pictures.links import Links
 from vad.plan.pictures.loads import CALM, add_couple, add_load, calm_couples, free_couple
 from vad.plan.pictures.supports import Foot, PlacedRail, Rail
@@ -101,6 +102,7 @@ class Skeleton:
         for index, stroke in enumerate(panel.strokes):
             if not is_figure(stroke):
                 block_construction(sketch, index)
+        add_known_velocity(sketch, self.size)
         self._letter(sketch, vertices, labels, arcs)
         for index, stroke in enumerate(panel.strokes):
             if isinstance(stroke.shape, Line):
