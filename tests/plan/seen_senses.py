@@ -18,7 +18,7 @@ from vad.plan.geometry import Rect
 from vad.plan.items import Item
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lettering.runs import plain
-from vad.plan.marks import Bow, Lettering, Polygon, Polyline
+from vad.plan.marks import Bow, Lettering, Polygon
 from vad.plan.pictures.senses import found_senses, senses_of
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Arrow, Plate
@@ -186,10 +186,8 @@ def _of_angles(sketch: Sketch) -> Iterator[tuple[str, str]]:
         centre = sketch.scale(stroke.shape.centre)
         spots: list[complex] = []
         for mark in marks:
-            if isinstance(mark.shape, Bow):
-                spots += mark.shape.line(2.0)
-            elif isinstance(mark.shape, Polyline):
-                spots += [spot for piece in mark.shape.pieces for spot in piece]
+            assert isinstance(mark.shape, Bow)
+            spots += mark.shape.line(2.0)
         radius = abs(spots[0] - centre) if spots else 0.0
         strokes = [each for each in sketch.obstacles.lines if not _on_circle(each, centre, radius)]
         if not spots:

@@ -305,8 +305,10 @@ def strip(stated: dict[str, Any], places: Places, closed: bool) -> list[complex]
 
 
 def angle(stated: dict[str, Any], places: Places, bow: Bow) -> complex:
-    """Check the arc of an angle, and return its centre."""
+    """Check the arc of an angle, or of one part the whole, and return its centre."""
     stroke = places.strokes[stated["stroke"]]
+    low, high = stated["part"] or (0.0, 1.0)
+    bow = bow.part(-low / (high - low), (1.0 - low) / (high - low))
     turned = cmath.rect(1.0, math.radians(bow.start + bow.sweep))
     driver = cmath.rect(1.0, math.radians(places.motion.link(str(stroke.link)).angle))
     assert abs(turned - driver) < 1e-9

@@ -277,11 +277,14 @@ class AngleArc:
         On the page; less where not all of the arc would lie in the room.
     room
         Where it lies.
+    part
+        What is drawn of it, from share to share; None for all.
     """
 
     stroke: str
     radius: float
     room: Rect
+    part: tuple[float, float] | None = None
 
     def posed(self, solved: Solved) -> Bow:
         """Return the arc in a pose."""
@@ -292,7 +295,7 @@ class AngleArc:
             self.room.holds(point, -ANGLE_WIDTH) for point in bow.line()
         ):
             bow = replace(bow, radius=SHRINKING * bow.radius)
-        return bow
+        return bow.part(*self.part) if self.part else bow
 
 
 @dataclass(frozen=True, slots=True)

@@ -129,6 +129,11 @@ class Bow:
         """Return the first ``share`` of the arc."""
         return replace(self, sweep=share * self.sweep)
 
+    def part(self, low: float, high: float) -> Bow:
+        """Return the arc between two shares of it."""
+        start = self.start + low * self.sweep
+        return replace(self, start=start, sweep=(high - low) * self.sweep)
+
     @property
     def length(self) -> float:
         """The length of the arc, as long as it is on the circle."""

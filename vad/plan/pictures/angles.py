@@ -22,7 +22,7 @@ from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside, beyond_cir
 from vad.plan.labels.vertices import text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
-from vad.plan.marks import Bow, Mark, Polyline, Trimming, area
+from vad.plan.marks import Bow, Mark, Trimming, area
 from vad.plan.pictures import machine
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH, Vector
 from vad.plan.reach import is_yoke
@@ -115,11 +115,13 @@ def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
     return found
 
 
-def interrupted(sketch: Sketch, bow: Bow) -> Mark:
+def interrupted(sketch: Sketch, arc: Hung) -> list[Hung]:
     """Return the arc of an angle with gaps where it would cross what is drawn, but at its ends.
 
     Both ends show, so that all see where it begins and where it ends.
     """
+    whole, bow = arc.shape, bow_of(sketch, arc)
+    assert isinstance(whole, AngleArc)
     steps = max(2, math.ceil(abs(bow.sweep) / STEP))
     turns = np.radians(bow.start + bow.sweep * np.linspace(0.0, 1.0, steps + 1))
     spots = bow.centre + bow.radius * np.exp(1j * turns)
@@ -127,18 +129,17 @@ def interrupted(sketch: Sketch, bow: Bow) -> Mark:
     strokes.lines = [each for each in sketch.obstacles.lines if not _runs_along(each, bow)]
     kept = strokes.free(spots.tolist(), 0.0, 0.0, GAP)
     kept |= np.minimum(abs(spots - spots[0]), abs(spots - spots[-1])) < ENDS
+    if kept.all():
+        return [arc]
     runs = [[*run] for there, run in itertools.groupby(range(steps + 1), kept.__getitem__) if there]
-    shown = [
-        run
-        for run in runs
-        if (len(run) - 1) / steps * bow.length >= LEAST_PART or {0, steps} & {run[0], run[-1]}
+    parts = [(run[0] / steps, run[-1] / steps) for run in runs if len(run) > 1]
+    return [
+        replace(
+            arc, shape=replace(whole, part=(low, high)), growth=Trimming(((low, 0.0), (high, 1.0)))
+        )
+        for low, high in parts
+        if (high - low) * bow.length >= LEAST_PART or low == 0.0 or high == 1.0
     ]
-    shape = (
-        bow
-        if kept.all()
-        else Polyline(tuple(tuple(spots[run].tolist()) for run in shown if len(run) > 1))
-    )
-    return Mark(shape, "angle", growth=Trimming())
 
 
 def _runs_along(line: tuple[complex, complex, float, object], bow: Bow) -> bool:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TypeGuard
 
@@ -87,12 +87,7 @@ class PlacedCurve:
 
     def part(self, start: float, end: float) -> Polyline | Bow:
         """Return a stretch of it; of lines all."""
-        if isinstance(self.shape, Polyline):
-            return self.shape
-        sweep = self.shape.sweep
-        return replace(
-            self.shape, start=self.shape.start + start * sweep, sweep=(end - start) * sweep
-        )
+        return self.shape if isinstance(self.shape, Polyline) else self.shape.part(start, end)
 
 
 @dataclass(frozen=True, slots=True)

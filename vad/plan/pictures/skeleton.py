@@ -294,12 +294,9 @@ class Skeleton:
         letter_figures(sketch, labels)
         for index, arc in arcs:
             bow = angles.bow_of(sketch, arc)
-            if abs(bow.sweep) > 1e-6 and sketch.finished:
-                sketch.hang(index, Level.CONSTRUCTION, [arc])
-            elif abs(bow.sweep) > 1e-6:
-                stroke, during = panel.strokes[index], sketch.setting.during(index)
-                mark = angles.interrupted(sketch, bow)
-                sketch.add(stroke, Level.CONSTRUCTION, during, [mark])
+            if abs(bow.sweep) > 1e-6:
+                shown = [arc] if sketch.finished else angles.interrupted(sketch, arc)
+                sketch.hang(index, Level.CONSTRUCTION, shown)
             if sketch.finished:
                 labels.angle(sketch, index, bow)
             if not sketch.finished:
