@@ -18,7 +18,7 @@ from vad.plan.board import arrange
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.placing import Wish, beside, fan, outward, place
+from vad.plan.labels.placing import Wish, beside, distance, fan, outward, place
 from vad.plan.labels.vertices import find_vertices
 from vad.plan.layout import FLOOR, Content, Page, Told, lay_out
 from vad.plan.marks import Bow, Polygon
@@ -251,3 +251,13 @@ def test_points_share_a_label_where_they_are_equal_and_not_where_they_look_so():
     assert [v.label for v in find_vertices(panel, sketch.scale)] == ["a, d", "b", "c"]
     tiny = fill(corners(panel), Rect(0, 0, 0.024, 0.026), position=False)
     assert [v.label for v in find_vertices(panel, tiny)] == ["a, d", "b", "c"]
+
+
+def test_a_label_far_from_its_dot_stands_beside_no_other():
+    obstacles = Obstacles(Rect(0.0, 0.0, 0.4, 0.4))
+    at, rivals = 0.2 + 0.2j, [0.25 + 0.2j, 0.15 + 0.2j, 0.2 + 0.25j, 0.2 + 0.15j]
+    obstacles.disc(at, 0.03)
+    placed = place(obstacles, Wish(at, 1 + 0j, 0.02, 0.02, rivals=rivals))
+    assert placed.leader
+    assert not placed.forced
+    assert min(distance(placed.box, rival) for rival in rivals) >= 20 / 720

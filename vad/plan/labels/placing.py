@@ -31,6 +31,8 @@ _AT_ONCE = 256
 #: The places that are tried all over a panel are so far apart.
 STEP = 0.008
 LENGTH_COUNTS = 0.5  # of a leader, beside how much of it lies on strokes
+#: A label far from its dot stands that far from every other dot, so that it does not name it.
+STRANGE = 20.0 * PIXEL
 #: A label is so much nearer to its own dot than to others; of one close by at least by so much of
 #: the distance of the dots.
 NEARER, BEYOND = 1.4, 0.5
@@ -254,10 +256,17 @@ def _first_free(
     for first in range(0, len(centres), _AT_ONCE):  # on a page with room the first ones suffice
         some = centres[first : first + _AT_ONCE]
         free = obstacles.free(some, wish.wide, wish.high, clear, apart)
-        found += [some[i] for i in np.flatnonzero(free)]
+        spots = (Placed(some[i], wish.wide, wish.high) for i in np.flatnonzero(free))
+        found += [spot.centre for spot in spots if not _is_strange(spot, wish)]
         if len(found) >= MOST_LEADERS:
             break
     return found[:MOST_LEADERS]
+
+
+def _is_strange(spot: Placed, wish: Wish) -> bool:
+    """Tell whether a label is beside another dot than its own, and so would name that."""
+    near = min(STRANGE, distance(spot.box, wish.at))
+    return any(distance(spot.box, rival) < near for rival in wish.rivals)
 
 
 def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:
