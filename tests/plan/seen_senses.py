@@ -30,6 +30,13 @@ TOUCHES = 2.5 * PIXEL
 #: Two arrows point opposite ways if the cosine between their directions is below this.
 OPPOSITE = -0.7
 
+#: An arrow with a shorter span, in degrees, looks straight.
+LEAST_SPAN = 29.0
+#: The cosine between the directions from its centre and from its pivot, at least.
+ALIKE = 0.85
+#: An arc of which a smaller share is left, or more pieces, no longer reads as an angle.
+LEAST_SHARE, MOST_PIECES = 0.6, 3
+
 Bar = tuple[complex, complex]
 
 
@@ -51,6 +58,18 @@ class Seen:
     def middle(self) -> complex:
         """The middle of its arc."""
         half = math.radians(self.bow.start + self.bow.sweep / 2)
+        return self.bow.centre + cmath.rect(self.bow.radius, half)
+
+    @property
+    def span(self) -> float:
+        """Its span to its tip, in degrees."""
+        tip = math.degrees(cmath.phase(self.tip - self.bow.centre)) - self.bow.start
+        return abs((tip + 180.0) % 360.0 - 180.0)
+
+    @property
+    def halfway(self) -> complex:
+        """The middle of it with its head."""
+        half = math.radians(self.bow.start + math.copysign(self.span / 2, self.bow.sweep))
         return self.bow.centre + cmath.rect(self.bow.radius, half)
 
     @property
@@ -98,6 +117,20 @@ def bars_of(sketch: Sketch, number: int | None) -> list[Bar]:
                 corners = [sketch.scale(corner) for corner in stroke.shape.corners]
                 found += zip(corners, (*corners[1:], corners[0]), strict=True)
     return found
+
+
+def centres_of(
+    sketch: Sketch, number: int | None
+) -> tuple[list[complex], list[complex], list[complex]]:
+    """Return the fixed pivots of the link of a row, its joints, and all of its lettered points."""
+    panel, rows = sketch.setting.panel, sketch.setting.sheet.rows
+    key = None if number is None else rows[number].key
+    own = {point for body in panel.bodies if body.row == key for point in body.points}
+    ends = {point: v.at for v in sketch.vertices for point in v.letters if point in own}
+    fixed = {point for body in panel.bodies if body.row is None for point in body.points}
+    shared = {point for body in panel.bodies if body.row != key for point in body.points}
+    pivots, joints = ([ends[z] for z in ends if z in some] for some in (fixed, shared))
+    return pivots, joints, [*ends.values()]
 
 
 def off(spot: complex, bar: Bar) -> float:
@@ -151,6 +184,17 @@ def _of_place(sketch: Sketch, each: Seen, rows: int) -> Iterator[tuple[str, str]
         ends = (each.bow.line()[0], each.tip)
         if any(nearest(end, own) < 8.0 * PIXEL for end in ends):
             yield "ends on its link", name
+        pivots, joints, lettered = centres_of(sketch, each.row)
+        if not any(abs(each.bow.centre - joint) < PIXEL for joint in joints):
+            yield "about no joint", name
+        seen = [(each.halfway - pivot) / (each.halfway - each.bow.centre) for pivot in pivots]
+        if seen and max(ratio.real / abs(ratio) for ratio in seen) < ALIKE:
+            yield "against its pivot", name
+        outside = [end for end in lettered if abs(end - each.bow.centre) > each.bow.radius]
+        if any(abs(each.halfway - end) < each.bow.radius - PIXEL for end in outside):
+            yield "nearer to another end", name
+        if each.span < LEAST_SPAN:
+            yield "looks straight", name
     strokes = [
         (start, end, half)
         for start, end, half, _ in sketch.obstacles.lines
@@ -192,6 +236,14 @@ def _of_angles(sketch: Sketch) -> Iterator[tuple[str, str]]:
         strokes = [each for each in sketch.obstacles.lines if not _on_circle(each, centre, radius)]
         if not spots:
             continue
+        pieces = [mark.shape.pieces for mark in marks if isinstance(mark.shape, Polyline)]
+        whole = math.radians(abs(stroke.shape.sweep)) * radius
+        left = sum(
+            abs(z - w) for some in pieces for piece in some for z, w in itertools.pairwise(piece)
+        )
+        many = any(len(some) > MOST_PIECES for some in pieces)
+        if many or (pieces and left < LEAST_SHARE * whole):
+            yield "in crumbs", stroke.label
         first, last = spots[0], spots[-1]
         inner = [z for z in spots if min(abs(z - first), abs(z - last)) > 0.016]
         if any(

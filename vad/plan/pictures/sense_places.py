@@ -26,8 +26,8 @@ Bar = tuple[complex, complex]
 #: The radii of an arrow that runs across its link, the best first, and how long it may be.
 ACROSS = (0.094, 0.078, 0.064, 0.110, 0.052, 0.130, 0.042, 0.155, 0.185, 0.220, 0.260, 0.300)
 LENGTHS = (0.092, 0.068, 0.050, 0.042)
-#: Its longest span in degrees.
-WIDEST = 100.0
+#: Its longest span in degrees, and its shortest: less looks straight.
+WIDEST, CURVED = 100.0, 30.0
 #: Radius and span of an arrow beside its link, which must not be far off.
 BESIDE = (
     (0.058, 66.0),
@@ -39,8 +39,12 @@ BESIDE = (
     (0.110, 46.0),
     (0.130, 38.0),
     (0.155, 32.0),
-    (0.185, 27.0),
+    (0.185, 30.0),
 )
+#: How far beyond the other end of the link one runs that turns about both.
+PAST = (0.030, 0.042, 0.054)
+#: The cosine between the directions to an arrow from its centre and from its pivot, at least.
+ALIKE = 0.87
 #: From the link to the middle of an arrow, of its span where it is across it, else in degrees.
 ON, OFF = (0.0, 0.12, -0.12, 0.24, -0.24), tuple(range(-180, 180, 12))
 #: Where an arrow is tried, as shares of its span from its middle: 8° apart at most.
@@ -57,9 +61,9 @@ ENDS, FARTHEST = 0.011, 0.066
 THIN = 0.0015
 #: The cosine between two directions that are seen to be opposite.
 AGAINST = -0.85
-#: How much worse an arrow is beside its link, nearer to another one, about an end that is not
-#: fixed where the other one is, with small letters, and with a leader.
-ASIDE, STRANGE, LOOSE, SMALL, LED = 1.0, 4.0, 1.5, 0.3, 3.0
+#: How much worse an arrow is beside its link, beyond both ends, nearer to another link, about an
+#: end that is not fixed where the other one is, with small letters, and with a leader.
+ASIDE, FAR_END, STRANGE, LOOSE, SMALL, LED = 1.0, 1.5, 4.0, 1.5, 0.3, 3.0
 #: Of a leader: its lengths, its directions, from the arrow to its start, from its end to the name,
 #: and to how many arrows one is tried.
 LEADERS, FAN = (0.025, 0.045, 0.070, 0.100, 0.130), np.exp(2j * np.pi * np.arange(16) / 16)
@@ -115,8 +119,11 @@ class Places:
         The mechanism and its letters, which they keep clear of.
     bars, others
         The bars of the link, and those of other links, to which no arrow is to seem to belong.
-    pivots
-        The fixed pivots: about one of them a link turns.
+    pivots, joints, ends
+        Its fixed pivots, its joints, and all of its lettered points.  An arrow stands about a
+        pivot, or beyond another joint, where both see it turn alike.  Without pivots it stands
+        about any joint.  Its middle is nearer to its centre than to any of them outside of its
+        circle.
     thin
         Arrows may cross strokes with smaller half widths; if there are such, they may stand nearer
         to what else there is.
@@ -128,6 +135,8 @@ class Places:
     bars: Sequence[Bar]
     others: Sequence[Bar]
     pivots: Sequence[complex]
+    joints: Sequence[complex]
+    ends: Sequence[complex]
     thin: float = 0.0
     farthest: float = FARTHEST
 
@@ -336,18 +345,16 @@ class Places:
     @cached_property
     def _table(self) -> tuple[Complexes, Reals, Reals, Reals, Reals, Reals]:
         """The centres of all arrows, their radii, spans, middles, sides and costs."""
-        ends = [each for start, end in self.bars for each in ((start, end), (end, start))]
-        fixed = [at for at, _ in ends if any(abs(at - each) < _OWN for each in self.pivots)]
-        centres, tables = [], []
-        for at, to in ends:
-            ahead, length = math.degrees(np.angle(to - at)), abs(to - at)
-            loose = bool(fixed) and at not in fixed
-            table = _beside(loose)
-            if not loose:
+        centres, tables = [np.empty(0, complex)], [np.empty((5, 0))]
+        for at, to in (each for start, end in self.bars for each in ((start, end), (end, start))):
+            if _among(at, self.joints):
+                ahead, length = math.degrees(np.angle(to - at)), abs(to - at)
                 across = _across()
-                table = np.hstack([across[:, across[0] < 0.92 * length], table])
-            tables.append(table + np.array([[0.0], [0.0], [ahead], [0.0], [0.0]]))
-            centres.append(np.full(table.shape[1], at))
+                table = np.hstack([across[:, across[0] < 0.92 * length], _beside(), _past(length)])
+                table[2] += ahead
+                table[4] += LOOSE * (bool(self.pivots) and not _among(at, self.pivots))
+                tables.append(table)
+                centres.append(np.full(table.shape[1], at))
         radii, spans, middles, sides, costs = np.hstack(tables)
         return np.concatenate(centres), radii, spans, middles, sides, costs
 
@@ -395,7 +402,14 @@ class Places:
     def apt(self) -> Bools:
         """Which of them lie near enough to their own link, and meet it with no end."""
         lines = self.lines
-        apt = np.asarray(distances(lines[:, len(SHARES) // 2], self.bars) < self.farthest)
+        middles = lines[:, len(SHARES) // 2]
+        apt = np.asarray(distances(middles, self.bars) < self.farthest)
+        if self.pivots:
+            seen = (middles[:, None] - np.array(self.pivots)) / (middles - self.centres)[:, None]
+            apt &= (seen.real > ALIKE * np.abs(seen)).any(axis=1)
+        for end in self.ends:  # those within its circle it turns about as well
+            within = np.abs(self.centres - end) < self.radii
+            apt &= within | (np.abs(middles - end) > self.radii)
         for end in (0, -1):
             apt[apt] = distances(lines[apt, end], self.bars) > ENDS
         aside = np.flatnonzero(apt & (self.sides != 0.0))
@@ -426,21 +440,39 @@ def _across() -> Reals:
         enumerate(ACROSS), enumerate(LENGTHS), ON
     ):
         span = math.degrees(long / radius)
-        if span < WIDEST:
+        if span < CURVED and not less:
+            span = CURVED
+        if CURVED <= span < WIDEST:
             cost = 0.08 * rank + 0.3 * less + 0.6 * abs(share)
             found.append((radius, span, share * span, 0.0, cost))
     return np.array(found).T
 
 
 @cache
-def _beside(loose: bool) -> Reals:
-    """Return the same of arrows beside it, about an end that is ``loose`` or not."""
+def _beside() -> Reals:
+    """Return the same of arrows beside it."""
     found = []
     for (rank, (radius, span)), off in itertools.product(enumerate(BESIDE), OFF):
-        if not loose or abs(off) >= 90:
-            cost = ASIDE + LOOSE * loose + 0.12 * rank + 0.004 * abs(off)
-            found.append((radius, span, off, float(np.sign(off)), cost))
+        cost = ASIDE + 0.12 * rank + 0.004 * abs(off)
+        found.append((radius, span, off, float(np.sign(off)), cost))
     return np.array(found).T
+
+
+def _past(length: float) -> Reals:
+    """Return the same of arrows beyond the other end of a link of a length."""
+    found = []
+    for (rank, past), off in itertools.product(enumerate(PAST), (0, 12, -12, 24, -24)):
+        radius = length + past
+        span = max(CURVED, math.degrees(LENGTHS[1] / radius))
+        if radius <= ACROSS[-1] and span < WIDEST:
+            cost = ASIDE + FAR_END + 0.12 * rank + 0.02 * abs(off)
+            found.append((radius, span, off, 1.0, cost))
+    return np.array(found).reshape(-1, 5).T
+
+
+def _among(at: complex, some: Sequence[complex]) -> bool:
+    """Tell whether a place is one of some."""
+    return any(abs(at - each) < _OWN for each in some)
 
 
 def _all_free(obstacles: Obstacles, lines: Complexes, clear: float) -> Bools:

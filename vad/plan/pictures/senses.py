@@ -17,7 +17,6 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Bow, Lettering, Mark, line
 from vad.plan.pictures.angles import sense_arrow
-from vad.plan.pictures.machine import fixed_points
 from vad.plan.pictures.sense_places import LETTERS, THIN, Places, SensePlace
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Order
@@ -49,7 +48,7 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
     """Yield the arrows of all rates that are not given, and of the given α.
 
     What turns about a fixed pivot has its arrows about that: about another point of the link they
-    would point against the motion that the picture shows.
+    would point against the motion that the picture shows.  Other links have theirs about a joint.
     """
     for sketch in sketches.values():
         panel = sketch.setting.panel
@@ -67,12 +66,11 @@ def placed_senses(
     """
     rows, places = sketch.setting.sheet.rows, {}
     bars = {row.key: _bars(sketch, row) for row in rows}
-    pivots = [sketch.scale(at) for _, at in fixed_points(sketch.setting.panel)]
     wanted = ((row, senses_of(sketches, row)) for row in rows if bars[row.key])
     order = [(row, senses) for row, senses in wanted if senses]
     for row, _ in order:
         others = [bar for key, own in bars.items() if key != row.key for bar in own]
-        roomy = Places(sketch.obstacles, bars[row.key], others, pivots)
+        roomy = Places(sketch.obstacles, bars[row.key], others, *_ends(sketch, row))
         places[row.key] = roomy, replace(roomy, thin=THIN)
     best: list[tuple[Row, Sense, SensePlace]] = []
     for tight in range(ROUNDS):
@@ -96,6 +94,17 @@ def placed_senses(
             break
         order.sort(key=lambda each: each[0] not in short)
     return best
+
+
+def _ends(sketch: Sketch, row: Row) -> tuple[list[complex], list[complex], list[complex]]:
+    """Return the fixed pivots of a link, its joints, and all of its lettered points."""
+    bodies = sketch.setting.panel.bodies
+    own = {letter for body in bodies if body.row == row.key for letter in body.points}
+    fixed = {letter for body in bodies if body.row is None for letter in body.points}
+    shared = {letter for body in bodies if body.row != row.key for letter in body.points}
+    places = {letter: each.at for each in sketch.vertices for letter in own & each.letters.keys()}
+    pivots, joints = ([places[z] for z in places if z in some] for some in (fixed, shared))
+    return pivots, joints, [*places.values()]
 
 
 def _there(sketch: Sketch, row: Row) -> tuple[complex, complex] | None:

@@ -84,7 +84,7 @@ def _about(
         shape = stroke.shape
         if stroke.name in names and stroke.link == row.key and isinstance(shape, Arc):
             arm = [_arm(sketch, row, shape)]
-            places = Places(sketch.obstacles, arm, (), (), thin, FARTHEST)
+            places = Places(sketch.obstacles, arm, (), arm[0][:1], arm[0], arm[0], thin, FARTHEST)
             for sense, place in zip(senses, places.find(taken, asked(senses)), strict=True):
                 if place:
                     place.block(taken)
