@@ -236,13 +236,9 @@ def _of_angles(sketch: Sketch) -> Iterator[tuple[str, str]]:
         strokes = [each for each in sketch.obstacles.lines if not _on_circle(each, centre, radius)]
         if not spots:
             continue
-        pieces = [mark.shape.pieces for mark in marks if isinstance(mark.shape, Polyline)]
+        pieces = [mark.shape for mark in marks if isinstance(mark.shape, Bow)]
         whole = math.radians(abs(stroke.shape.sweep)) * radius
-        left = sum(
-            abs(z - w) for some in pieces for piece in some for z, w in itertools.pairwise(piece)
-        )
-        many = any(len(some) > MOST_PIECES for some in pieces)
-        if many or (pieces and left < LEAST_SHARE * whole):
+        if len(pieces) > MOST_PIECES or sum(each.length for each in pieces) < LEAST_SHARE * whole:
             yield "in crumbs", stroke.label
         first, last = spots[0], spots[-1]
         inner = [z for z in spots if min(abs(z - first), abs(z - last)) > 0.016]
