@@ -43,13 +43,16 @@ BARE = """() => {
   const home = document.querySelector('.vad'), scrub = document.querySelector('.scrub');
   home.classList.add('large');
   scrub.dispatchEvent(new Event('input'));
-  for (const svg of document.querySelectorAll('.drawing svg')) {
-    svg.setAttribute('viewBox', '0 0 1280 720');
-    svg.style = 'position:fixed;left:0;top:0;width:1280px;height:720px';
-    const frame = document.createElement('div');
-    frame.className = 'drawing';
-    home.append(frame);
-    frame.append(svg);
+  const pictures = document.querySelectorAll('.drawing svg'), frame = document.createElement('div');
+  frame.className = 'drawing';
+  home.append(frame);
+  frame.innerHTML = '<svg viewBox="0 0 1280 720"></svg>';
+  frame.firstChild.style = 'position:fixed;left:0;top:0;width:1280px;height:720px';
+  for (const svg of pictures) {
+    const { x, y, width, height } = svg.viewBox.baseVal, place = { x, y, width, height };
+    for (const name in place) svg.setAttribute(name, place[name]);
+    svg.style = 'overflow:visible';
+    frame.firstChild.append(svg);
   }
   Element.prototype.animate = () => {};
   document.querySelector('.travels').checked = false;

@@ -10,7 +10,7 @@ const MOST_SMALL = .8, CROWD = 10;
 
 function staging(root, calm) {
   const all = (selector) => [...root.querySelectorAll(selector)], roomy = matchMedia("screen and (min-width: 48rem)");
-  let lesson, views = [], panel = -1, large = -1, printed = false;
+  let lesson, panels = [], views = [], panel = -1, large = -1, printed = false;
 
   // Where a place of a panel on the sheet stands in the window: a factor, and a shift right and down.
   function seen(picture, i) {
@@ -20,11 +20,12 @@ function staging(root, calm) {
 
   function load(next) {
     lesson = next;
+    panels = lesson.pictures.map((picture) => picture.closest(".panel"));
     all(".scene").forEach((each) => each.remove());
     views = lesson.pictures.map((picture) => picture.getAttribute("viewBox"));
     lesson.pictures.forEach((picture, i) => {
       // Where there are many letters, they are small in a thumbnail.
-      picture.closest(".panel").style.setProperty("--t", picture.querySelectorAll(":scope > [data-s] > text").length > CROWD ? .52 : .68);
+      panels[i].style.setProperty("--t", picture.querySelectorAll(":scope > [data-s] > text").length > CROWD ? .52 : .68);
       if (lesson.large?.[i]) picture.insertAdjacentHTML("afterbegin", `<g class="scene">${lesson.large[i][4]}</g>`);
     });
     large = -1;
@@ -40,12 +41,12 @@ function staging(root, calm) {
     lesson.pictures.forEach((picture, i) => {
       const [view, factor, , , , ink] = lesson.large?.[i] ?? [], { clientWidth: width, clientHeight: height } = picture.parentNode;
       if (!view) return;
-      const panel = picture.closest(".panel"), top = panel.querySelector(".top"), small = large >= 0 && i !== large;
+      const top = panels[i].querySelector(".top"), small = large >= 0 && i !== large;
       const [x, y, wide, high] = (i === large ? view : small && !held ? ink : views[i]).split(" ").map(Number);
       const size = Math.min(width / wide, height / high, small ? MOST_SMALL * u : Infinity);
       const across = small ? width / size : wide, up = small ? height / size : high;
       picture.setAttribute("viewBox", large < 0 || !(size > 0) ? views[i] : [x + (wide - across) / 2, y + (high - up) / 2, across, up].map((each) => each.toFixed(2)).join(" "));
-      for (const [owner, name, value] of [[panel.style, "--k", small && size / u], [top.style, "--s", i === large && `${size}px`], [top.style, "--q", i === large && factor]])
+      for (const [owner, name, value] of [[panels[i].style, "--k", small && size / u], [top.style, "--s", i === large && `${size}px`], [top.style, "--q", i === large && factor]])
         if (value) owner.setProperty(name, value);
         else owner.removeProperty(name);
       if (!top.style.length) top.removeAttribute("style");
@@ -56,7 +57,7 @@ function staging(root, calm) {
   function draw() {
     const next = roomy.matches && !printed && !root.classList.contains("large") && lesson.large?.length ? panel : -1, other = next !== large;
     large = next;
-    lesson.pictures.forEach((picture, i) => picture.closest(".panel")?.classList.toggle("grand", i === large));
+    panels.forEach((each, i) => each.classList.toggle("grand", i === large));
     fit();
     if (other) root.dispatchEvent(new CustomEvent("vad:stage"));
   }
@@ -90,8 +91,8 @@ function staging(root, calm) {
     if (calm.matches && !atOnce) fading(pictures, timing);
     panel = next;
     root.classList.toggle("staged", panel >= 0);
-    const small = (each, i) => each?.classList.toggle("small", i !== panel);
-    pictures.map((each) => each.closest(".panel")).forEach(small);
+    const small = (each, i) => each.classList.toggle("small", i !== panel);
+    panels.forEach(small);
     all(".results tr").forEach((row) => [...row.children].slice(1).forEach(small));
     draw();
     if (atOnce) return;
