@@ -92,6 +92,13 @@ def until(page: Page, holds: Callable[[], object], seconds: float = 30.0) -> Non
         page.wait_for_timeout(20)
 
 
+def painted(page: Page) -> None:
+    """Wait until a frame is painted: not before is all laid out for a window of another size."""
+    page.evaluate(
+        "() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+    )
+
+
 def violations(page: Page) -> list[str]:
     """Return what axe-core has against a page at rest: the rule and the element."""
     from axe_playwright_python.sync_playwright import Axe

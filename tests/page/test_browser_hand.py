@@ -14,7 +14,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 import vad
-from tests.browser import opened, until, violations
+from tests.browser import opened, painted, until, violations
 from tests.page.lessons import at, page_of, press, show
 from vad.files.examples import example_path
 from vad.kinematics.reach import closing_range
@@ -86,6 +86,7 @@ def test_a_pointer_takes_the_crank_and_the_page_stands_still(page: Page) -> None
       .map((each) => JSON.stringify(each.getBoundingClientRect()))"""
     for width, height in ((1280, 720), (640, 700), (390, 844)):
         page.set_viewport_size({"width": width, "height": height})
+        painted(page)
         before, length = page.evaluate(places), crank(page)
         start, end = about(page, 60, length), about(page, 150, length)
         page.mouse.move(*start)

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 import vad
-from tests.browser import opened
+from tests.browser import opened, painted
 from tests.page.lessons import press, show
 from vad.files.examples import example_path
 from vad.page.document import document
@@ -34,9 +34,6 @@ _WALK = """() => {
   return [near, past];
 }"""
 
-_TWO_FRAMES = """() => new Promise((done) =>
-  requestAnimationFrame(() => requestAnimationFrame(done)))"""
-
 
 def opened_hand(page: Page, folder: Path, name: str) -> None:
     """Show a mechanism in the hand."""
@@ -55,7 +52,7 @@ def test_numbers_stay_in_their_columns(name: str, browser: Browser, tmp_path: Pa
         assert near > 5.0
         assert past < 1.0
         page.set_viewport_size({"width": 1024, "height": 640})
-        page.evaluate(_TWO_FRAMES)  # the columns are measured anew when the window has its size
+        painted(page)  # the columns are measured anew when the window has its size
         near, past = page.evaluate(_WALK)
         assert near > 3.0
         assert past < 1.0
