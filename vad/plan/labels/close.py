@@ -77,7 +77,7 @@ def close_places(
     needs = list(_needs(vertices, far))
     found: list[Close] = []
     taken: set[int] = set()
-    while needs and len(found) < MOST:
+    while needs and len(found) < MOST:  # each round finds one
         tried = _tried(setting, vertices, needs, taken)
         close = next(filter(has_letters, islice(tried, TRIED)), None)
         if close is None:

@@ -70,10 +70,8 @@ LEADERS, FAN = (0.025, 0.045, 0.070, 0.100, 0.130), np.exp(2j * np.pi * np.arang
 START, GAP, LED_ARROWS = 0.008, 0.005, 24
 #: So much of a leader lies at most on the stroke that it crosses, where every one crosses some.
 ONE_STROKE = 0.016
-#: So many arrows are looked at together.
-AT_ONCE = 16
-#: So many arrows of one sense are tried with one of the other.
-MOST_PAIRS = 40
+#: So many arrows are looked at together, and so many of one sense are tried with one of the other.
+AT_ONCE, MOST_PAIRS = 16, 40
 #: What lies so near the axis of a link belongs to it.
 _OWN = 0.004
 
@@ -237,7 +235,7 @@ class Places:
         crossing: list[SensePlace] = []
         for number in bare[:LED_ARROWS]:
             cost = float(costs[number])
-            while crossing and crossing[0].cost <= cost + LED:  # no later one is better
+            while crossing and crossing[0].cost <= cost + LED:  # each round yields one
                 yield crossing.pop(0)
             led = self._led(taken, number, name, cost)
             if led and led.cost > cost + LED:
@@ -250,7 +248,7 @@ class Places:
         """Yield those of some arrows that meet nothing, and no label."""
         new = Obstacles(taken.edge, taken.lines[len(self.drawn.lines) :])
         first, count = 0, AT_ONCE
-        while first < len(order):
+        while first < len(order):  # each round looks at the next ones
             some = order[first : first + count]
             first, count = first + count, 2 * count  # most often one of the first ones suffices
             some = some[self._free(some)]

@@ -246,20 +246,14 @@ class Views:
         return sketch
 
     def _add_sense(self, sketch: Sketch) -> None:
-        """Add the arrow of ω, which stands where it meets no pose.
-
-        Labels keep clear of its head alone: views have little room.
-        """
+        """Add the arrow of ω where it meets no pose; labels keep clear of its head alone."""
         setting = sketch.setting
         index, omega = setting.panel.find(setting.sheet.driver.angle), setting.sheet.driver.omega
         place = self._sense(math.copysign(1.0, omega)) if omega else None
         if index is not None and place:
             angles.add_sense(sketch, index, setting.panel.strokes[index], place)
-            head = replace(
-                place,
-                middle=place.middle + place.span / 3 * math.copysign(1.0, omega),
-                span=place.span / 3,
-            )
+            middle = place.middle + place.span / 3 * math.copysign(1.0, omega)
+            head = replace(place, middle=middle, span=place.span / 3)
             angles.block_sense(sketch, setting.panel.strokes[index], head)
 
     def _sense(self, sense: float) -> angles.SensePlace | None:
