@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 from typing import Any
 
@@ -106,16 +107,17 @@ def test_thumbnails_show_what_is_drawn_and_all_of_it_when_a_hand_moves_it(lesson
     places(lesson, FIRST[2] + 3)
     for filled in lesson.evaluate(_FILLED):
         assert 0.7 < max(filled) < 1.05
+    # As wide as the view of the sheet in the hand, and in the lesson as what is drawn on it.
+    [view, *_] = re.findall(r'<svg[^>]* viewBox="([^"]*)"', page_of("slider-crank"))
+    sheet, drawn = (float(each.split()[2]) for each in (view, LARGE[0][5]))
+    assert sheet > drawn
+    mechanism = lesson.locator(".small .drawing svg").first
+    width = "(each) => each.viewBox.baseVal.width"
     press(lesson, "h")
-    mechanism, _ = lesson.evaluate(
-        "() => [...document.querySelectorAll('.small .drawing svg')].map((each) =>"
-        " each.viewBox.baseVal.width)"
-    )
+    assert mechanism.evaluate(width) == pytest.approx(sheet, abs=0.01)
     press(lesson, "Escape")
     until(lesson, lambda: lesson.locator(".turned").count() == 0)
-    assert mechanism > 1.2 * lesson.locator(".small .drawing svg").first.evaluate(
-        "(each) => each.viewBox.baseVal.width"
-    )
+    assert mechanism.evaluate(width) == pytest.approx(drawn, abs=0.01)
 
 
 def test_a_change_of_panel_is_a_move_of_a_second(lesson: Page) -> None:
