@@ -245,6 +245,12 @@ def test_the_arc_of_an_angle_is_smaller_where_it_would_cross_a_link(angle: float
     assert min(off) > 0.003
 
 
+def test_the_arc_of_an_angle_has_no_gap_beside_its_own_crank():
+    board = planned(slider_crank())
+    marks = [mark for item in board.shown(board.finished) for mark in item.marks]
+    assert len([mark for mark in marks if mark.role == "angle"]) == 1
+
+
 def test_points_share_a_label_where_they_are_equal_and_not_where_they_look_so():
     sheet = slider_crank()
     panel, sketch = sheet.panel("velocity"), planned(sheet).sketches["velocity"]

@@ -126,7 +126,7 @@ def interrupted(sketch: Sketch, arc: Hung) -> list[Hung]:
     turns = np.radians(bow.start + bow.sweep * np.linspace(0.0, 1.0, steps + 1))
     spots = bow.centre + bow.radius * np.exp(1j * turns)
     strokes = Obstacles(sketch.obstacles.edge.inside(-1.0))
-    strokes.lines = [each for each in sketch.obstacles.lines if not _runs_along(each, bow)]
+    strokes.lines = [each for each in sketch.obstacles.lines if not _is_own(each, bow)]
     kept = strokes.free(spots.tolist(), 0.0, 0.0, GAP)
     kept |= np.minimum(abs(spots - spots[0]), abs(spots - spots[-1])) < ENDS
     if kept.all():
@@ -142,9 +142,14 @@ def interrupted(sketch: Sketch, arc: Hung) -> list[Hung]:
     ]
 
 
-def _runs_along(line: tuple[complex, complex, float, object], bow: Bow) -> bool:
-    """Tell whether a stroke is a part of an arc."""
-    return all(abs(abs(end - bow.centre) - bow.radius) < 1e-6 for end in line[:2])
+def _is_own(line: tuple[complex, complex, float, object], bow: Bow) -> bool:
+    """Tell whether a stroke is a part of an arc, or lies along the radius to one of its ends."""
+    ways = [end - bow.centre for end in line[:2]]
+    if all(abs(abs(way) - bow.radius) < 1e-6 for way in ways):
+        return True
+    arms = [direction(fold(turn)) for turn in (bow.start, bow.start + bow.sweep)]
+    seen = [[way * arm.conjugate() for way in ways] for arm in arms]
+    return any(all(abs(z.imag) < 1e-6 and z.real > -1e-6 for z in along) for along in seen)
 
 
 def bow_of(sketch: Sketch, arc: Hung) -> Bow:
