@@ -29,6 +29,8 @@ LARGEST, LARGEST_ALONE, SMALLEST = 0.108, 0.135, 0.068
 #: The least radius of the circle about the place.
 LEAST_RING = 0.0165
 MOST = 2  # lenses in a panel
+#: Among more points than this two lenses help little, and to look for their places takes a minute.
+MANY = 30
 TRIED = 10  # of the places that a lens may show
 #: What points told apart nearly, and a letter that finds a place, count beside points told apart.
 NEARLY, LETTER = 0.5, 0.1
@@ -74,7 +76,7 @@ def close_places(
     ``far`` are labels that have no place beside their dots.  Of each place all that a lens shows
     ``has_letters`` there.
     """
-    needs = list(_needs(vertices, far))
+    needs = list(_needs(vertices, far)) if len(vertices) <= MANY else []
     found: list[Close] = []
     taken: set[int] = set()
     while needs and len(found) < MOST:  # each round finds one
