@@ -42,7 +42,7 @@ EQUATION_PITCH = 0.043
 CAPTION_PITCH = 0.046
 BELOW_LINE = 0.012  # from the baseline of a line of a panel's foot to its end
 UNDER_RULE = 0.040  # from a rule to the baseline of the line above it
-SMALLEST_DRAWING = 0.05
+SMALLEST_DRAWING = 0.07  # 50 of 720 pixels: less shows nothing
 #: A still has its equations where they leave drawings this large, or as large as without them.
 ENOUGH = 0.25
 FLAT = 2.25  # width over height
