@@ -14,7 +14,7 @@ from tests.kinds import KINDS, SPACE
 from tests.plan.overlaps import planned
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
-from vad.plan.board import arrange
+from vad.plan.board import arrange, column
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import Obstacles
@@ -224,10 +224,17 @@ def test_a_leader_that_must_cross_something_crosses_the_thinner():
 
 def test_letters_are_smaller_where_a_leader_would_cross_a_vector():
     """Beside c″ₙ of a four-bar at 90° a large letter has no place, and all round are vectors."""
-    sketch = planned(vad.draw(vad.solve(vad.FourBar(), angle=90))).sketches["acceleration"]
-    [tag] = [tag for tag in sketch.tags if tag.text == "c″ₙ"]
-    [at] = [vertex.at for vertex in sketch.vertices if vertex.label == "c″ₙ"]
-    assert abs(tag.box.centre - at) < 0.05
+    sheet, form = vad.draw(vad.solve(vad.FourBar(), angle=90)), screen((1280, 720))
+    drawing = planned(sheet).page.panels["acceleration"].drawing
+    for lenses in (False, True):
+        panel = sheet.panel("acceleration")
+        sketch = column(sheet, panel, drawing, form, lenses=lenses)["acceleration"]
+        [tag] = [tag for tag in sketch.tags if tag.text == "c″ₙ"]
+        [at] = [vertex.at for vertex in sketch.vertices if vertex.label == "c″ₙ"]
+        shown = [lens(at) for lens in sketch.lenses if abs(lens(at) - lens.at) < lens.radius]
+        assert len(shown) == lenses  # beside a lens that shows it, it has its letter there
+        for dot in shown or [at]:
+            assert abs(tag.box.centre - dot) < 0.05
 
 
 @pytest.mark.parametrize(("angle", "whole"), [(90, True), (300, False)])
