@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from vad.kinematics.numbers import ray
 from vad.plan.items import FOREVER, Item, Level
-from vad.plan.labels.vertices import text_at
+from vad.plan.labels.vertices import find_vertices, text_at
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Bow, Lettering, Mark, line
@@ -102,7 +102,8 @@ def _ends(sketch: Sketch, row: Row) -> tuple[list[complex], list[complex], list[
     own = {letter for body in bodies if body.row == row.key for letter in body.points}
     fixed = {letter for body in bodies if body.row is None for letter in body.points}
     shared = {letter for body in bodies if body.row != row.key for letter in body.points}
-    places = {letter: each.at for each in sketch.vertices for letter in own & each.letters.keys()}
+    vertices = find_vertices(sketch.setting.panel, sketch.scale)
+    places = {letter: each.at for each in vertices for letter in own & each.letters.keys()}
     pivots, joints = ([places[z] for z in places if z in some] for some in (fixed, shared))
     return pivots, joints, [*places.values()]
 
