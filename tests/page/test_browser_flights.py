@@ -193,6 +193,7 @@ def test_a_rate_that_is_found_flies_to_its_sense(lever: Page) -> None:
     number, (_, seconds) = next(iter(parts(LESSON).data["sent"].items()))
     assert seconds == 1.6
     scrub(lever, number + 0.9)
+    until(lever, lambda: not lever.evaluate("document.getAnimations().length"))  # panels stand
     press(lever, "ArrowRight")
     until(lever, lambda: lever.locator(".sent").count() == 1)
     seen = []
