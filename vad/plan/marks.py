@@ -127,7 +127,7 @@ class Bow:
 
     def trimmed(self, share: float) -> Bow:
         """Return the first ``share`` of the arc."""
-        return replace(self, sweep=share * self.sweep)
+        return self.part(0.0, share)
 
     def part(self, low: float, high: float) -> Bow:
         """Return the arc between two shares of it."""

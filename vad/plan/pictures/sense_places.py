@@ -12,9 +12,11 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
+from typing import NamedTuple
 
 import numpy as np
 
+from vad.kinematics.numbers import ray
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import PIXEL, Bools, Complexes, Integers, Obstacles, Reals
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
@@ -105,6 +107,29 @@ class SensePlace:
         obstacles.line(self.line, 2.0 * PIXEL)
         if self.name.leader:
             obstacles.line(self.name.leader, PIXEL)
+
+
+class _Arrows(NamedTuple):
+    """All arrows of a link, as arrays: a row for each, whatever its sense.
+
+    Attributes
+    ----------
+    centres, radii
+        The ends about which they stand, and how far from these.
+    spans, middles
+        How long they are, and where their middles are, in degrees.
+    sides
+        On which side of the link they lie: 1 on the left, 0 across it.
+    costs
+        How bad they are by themselves.
+    """
+
+    centres: Complexes
+    radii: Reals
+    spans: Reals
+    middles: Reals
+    sides: Reals
+    costs: Reals
 
 
 @dataclass(frozen=True)
@@ -198,10 +223,10 @@ class Places:
         which arrows meet nothing.
         """
         centre, way = there
-        ways = sense[0] * 1j * np.exp(1j * np.radians(self.middles))
+        ways = sense[0] * 1j * np.exp(1j * np.radians(self._arrows.middles))
         good: Bools = (ways * way.conjugate()).real < AGAINST
         if together:
-            good &= np.abs(self.centres - centre) < PIXEL
+            good &= np.abs(self._arrows.centres - centre) < PIXEL
         if clear is not None:
             good &= clear
         return next(self.of(taken, *sense, good), None)
@@ -222,7 +247,7 @@ class Places:
         self, taken: Obstacles, sign: float, name: str, good: Bools | None = None
     ) -> Iterator[SensePlace]:
         """Yield the places of an arrow and its name, the best first, those with a leader last."""
-        costs = self.costs + 0.1 * (self.sides * sign < 0.0)
+        costs = self.costs + 0.1 * (self._arrows.sides * sign < 0.0)
         left = np.flatnonzero(self.apt if good is None else self.apt & good)
         order = left[np.argsort(costs[left], kind="stable")]
         bare = []
@@ -287,12 +312,12 @@ class Places:
 
     def _spots(self, number: int, sign: float, wide: float, high: float) -> Iterator[complex]:
         """Yield places of a name: outside of the arrow, inside, and behind its tail."""
-        at, radius = complex(self.centres[number]), float(self.radii[number])
-        middle, span = float(self.middles[number]), float(self.spans[number])
+        at, radius = complex(self._arrows.centres[number]), float(self._arrows.radii[number])
+        middle, span = float(self._arrows.middles[number]), float(self._arrows.spans[number])
         for gap, side, turn in itertools.product(NAMED, (1, -1), (0.0, -0.4, 0.4, -0.2, 0.2)):
-            out = _ray(middle + sign * turn * span)
+            out = ray(middle + sign * turn * span)
             yield beside(at + radius * out, side * out, gap, wide, high)
-        tail = _ray(middle - sign * 0.5 * span)
+        tail = ray(middle - sign * 0.5 * span)
         for gap in NAMED:
             yield beside(at + radius * tail, -sign * 1j * tail, gap, wide, high)
 
@@ -329,10 +354,10 @@ class Places:
 
     def _place(self, number: int, name: Placed, letter: float, cost: float) -> SensePlace:
         return SensePlace(
-            complex(self.centres[number]),
-            float(self.radii[number]),
-            float(self.spans[number]),
-            float(self.middles[number]),
+            complex(self._arrows.centres[number]),
+            float(self._arrows.radii[number]),
+            float(self._arrows.spans[number]),
+            float(self._arrows.middles[number]),
             name,
             letter,
             cost,
@@ -341,8 +366,7 @@ class Places:
     # --- arrays: one row for each arrow, whatever its sense ---
 
     @cached_property
-    def _table(self) -> tuple[Complexes, Reals, Reals, Reals, Reals, Reals]:
-        """The centres of all arrows, their radii, spans, middles, sides and costs."""
+    def _arrows(self) -> _Arrows:
         centres, tables = [np.empty(0, complex)], [np.empty((5, 0))]
         for at, to in (each for start, end in self.bars for each in ((start, end), (end, start))):
             if _among(at, self.joints):
@@ -353,39 +377,15 @@ class Places:
                 table[4] += LOOSE * (bool(self.pivots) and not _among(at, self.pivots))
                 tables.append(table)
                 centres.append(np.full(table.shape[1], at))
-        radii, spans, middles, sides, costs = np.hstack(tables)
-        return np.concatenate(centres), radii, spans, middles, sides, costs
-
-    @property
-    def centres(self) -> Complexes:
-        """The ends about which the arrows stand."""
-        return self._table[0]
-
-    @property
-    def radii(self) -> Reals:
-        """Their radii."""
-        return self._table[1]
-
-    @property
-    def spans(self) -> Reals:
-        """How long they are, in degrees."""
-        return self._table[2]
-
-    @property
-    def middles(self) -> Reals:
-        """Where their middles are, in degrees."""
-        return self._table[3]
-
-    @property
-    def sides(self) -> Reals:
-        """On which side of the link they lie: 1 on the left, 0 across it."""
-        return self._table[4]
+        return _Arrows(np.concatenate(centres), *np.hstack(tables))
 
     @cached_property
     def lines(self) -> Complexes:
         """Points along the arrows."""
-        turns = np.radians(self.middles[:, None] + self.spans[:, None] * SHARES)
-        points: Complexes = self.centres[:, None] + self.radii[:, None] * np.exp(1j * turns)
+        turns = np.radians(self._arrows.middles[:, None] + self._arrows.spans[:, None] * SHARES)
+        points: Complexes = self._arrows.centres[:, None] + self._arrows.radii[:, None] * np.exp(
+            1j * turns
+        )
         return points
 
     @cached_property
@@ -393,7 +393,7 @@ class Places:
         """How bad each of them is."""
         middle = self.lines[:, len(SHARES) // 2]
         strange = distances(middle, self.others) < distances(middle, self.bars)
-        costs: Reals = self._table[5] + STRANGE * strange
+        costs: Reals = self._arrows.costs + STRANGE * strange
         return costs
 
     @cached_property
@@ -403,14 +403,16 @@ class Places:
         middles = lines[:, len(SHARES) // 2]
         apt = np.asarray(distances(middles, self.bars) < self.farthest)
         if self.pivots:
-            seen = (middles[:, None] - np.array(self.pivots)) / (middles - self.centres)[:, None]
+            seen = (middles[:, None] - np.array(self.pivots)) / (middles - self._arrows.centres)[
+                :, None
+            ]
             apt &= (seen.real > ALIKE * np.abs(seen)).any(axis=1)
         for end in self.ends:  # those within its circle it turns about as well
-            within = np.abs(self.centres - end) < self.radii
-            apt &= within | (np.abs(middles - end) > self.radii)
+            within = np.abs(self._arrows.centres - end) < self._arrows.radii
+            apt &= within | (np.abs(middles - end) > self._arrows.radii)
         for end in (0, -1):
             apt[apt] = distances(lines[apt, end], self.bars) > ENDS
-        aside = np.flatnonzero(apt & (self.sides != 0.0))
+        aside = np.flatnonzero(apt & (self._arrows.sides != 0.0))
         apt[aside] = distances(lines[aside], self.bars).min(axis=1) >= ENDS
         return apt
 
@@ -494,7 +496,3 @@ def _around(spots: Complexes, wide: float, high: float) -> Rect:
     x, y = spots.real, spots.imag
     left, right, low, top = float(x.min()), float(x.max()), float(y.min()), float(y.max())
     return Rect(left - wide / 2, low - high / 2, right + wide / 2, top + high / 2)
-
-
-def _ray(degrees: float) -> complex:
-    return complex(math.cos(math.radians(degrees)), math.sin(math.radians(degrees)))

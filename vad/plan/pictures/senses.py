@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from vad.kinematics.numbers import ray
 from vad.plan.items import FOREVER, Item, Level
-from vad.plan.labels.vertices import find_vertices, text_at
+from vad.plan.labels.vertices import Vertex, find_vertices, text_at
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Bow, Lettering, Mark, line
@@ -21,7 +21,7 @@ from vad.plan.pictures.sense_places import LETTERS, THIN, Places, SensePlace
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Order
 from vad.strokes.reveals import measurer
-from vad.strokes.sheet import Arrow, Plate, Row
+from vad.strokes.sheet import Arrow, Body, Plate, Row
 from vad.strokes.travels import turning
 
 LETTER = LETTERS[0]
@@ -68,9 +68,15 @@ def placed_senses(
     bars = {row.key: _bars(sketch, row) for row in rows}
     wanted = ((row, senses_of(sketches, row)) for row in rows if bars[row.key])
     order = [(row, senses) for row, senses in wanted if senses]
+    vertices = find_vertices(sketch.setting.panel, sketch.scale)
     for row, _ in order:
         others = [bar for key, own in bars.items() if key != row.key for bar in own]
-        roomy = Places(sketch.obstacles, bars[row.key], others, *_ends(sketch, row))
+        roomy = Places(
+            sketch.obstacles,
+            bars[row.key],
+            others,
+            *_ends(sketch.setting.panel.bodies, row, vertices),
+        )
         places[row.key] = roomy, replace(roomy, thin=THIN)
     best: list[tuple[Row, Sense, SensePlace]] = []
     for tight in range(ROUNDS):
@@ -96,13 +102,13 @@ def placed_senses(
     return best
 
 
-def _ends(sketch: Sketch, row: Row) -> tuple[list[complex], list[complex], list[complex]]:
+def _ends(
+    bodies: Sequence[Body], row: Row, vertices: Sequence[Vertex]
+) -> tuple[list[complex], list[complex], list[complex]]:
     """Return the fixed pivots of a link, its joints, and all of its lettered points."""
-    bodies = sketch.setting.panel.bodies
     own = {letter for body in bodies if body.row == row.key for letter in body.points}
     fixed = {letter for body in bodies if body.row is None for letter in body.points}
     shared = {letter for body in bodies if body.row != row.key for letter in body.points}
-    vertices = find_vertices(sketch.setting.panel, sketch.scale)
     places = {letter: each.at for each in vertices for letter in own & each.letters.keys()}
     pivots, joints = ([places[z] for z in places if z in some] for some in (fixed, shared))
     return pivots, joints, [*places.values()]
