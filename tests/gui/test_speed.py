@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Mapping
 from http.client import HTTPConnection
 from itertools import count
+from statistics import median
 from types import FrameType
 from typing import Any
 
@@ -20,11 +21,13 @@ from vad.gui.server import served
 
 #: Of the processor time of solving and drawing a pose, what a move takes at most.
 TIME = 7.0
-#: Of its function calls, what the next pose, one with another length, and the lesson make at
-#: most.  They are counted, and so the same on every machine; the limits lie 1.3 times above what
-#: is needed, so that work done twice is noticed.
-MOVE, SIZE, LESSON = 5.1, 7.6, 26.0
 MOVES = 15
+#: Of its function calls, what the next pose, one with another length, and the lesson make at
+#: most.  They are counted, and so the same on every machine; the limits lie 7 to 36 % above what is
+#: needed, so that work done twice is noticed.
+MOVE, SIZE, LESSON = 5.1, 7.6, 26.0
+#: Over so many poses they are counted: one pose has more labels to place than another.
+POSES = 5
 SET = [("slider-crank", {}), ("crank-slotted-lever", {"rod": 100.0, "ram_height": 180.0})]
 
 
@@ -33,7 +36,8 @@ class Hand:
 
     def __init__(self, name: str, parameters: Mapping[str, float]) -> None:
         self._name, self._parameters = name, dict(parameters)
-        self._angles, self._lengths = count(60.0, 0.1), count(50.0, 0.02)
+        # Poses of this test alone: nothing of them is kept from another one.
+        self._angles, self._lengths = count(61.037, 0.1), count(50.013, 0.02)
         self._answer: dict[str, Any] = {"scales": {}, "ways": {}}
         self._key = ""
 
@@ -80,7 +84,7 @@ def hand(request: pytest.FixtureRequest) -> Hand:
 
 
 def calls(work: Callable[[], object]) -> int:
-    """Return how many functions a run calls."""
+    """Return how many functions some runs call."""
     made = 0
 
     def tally(_: FrameType, event: str, __: object) -> None:
@@ -90,7 +94,8 @@ def calls(work: Callable[[], object]) -> int:
     before = sys.getprofile()
     sys.setprofile(tally)
     try:
-        work()
+        for _ in range(POSES):
+            work()
     finally:
         sys.setprofile(before)
     return made
@@ -126,8 +131,8 @@ def test_an_answer_is_sent_at_once():
 
 def test_a_move_is_quick(hand: Hand):
     works = hand.draw, hand.move, hand.redraw, hand.size
-    # In turns, and of each the least, which others on the machine disturb the least.
+    # In turns, and of each the median: a clock that is read wrongly once decides nothing.
     times = [tuple(map(spent, works)) for _ in range(MOVES)]
-    drawn, moved, redrawn, sized = map(min, zip(*times, strict=True))
+    drawn, moved, redrawn, sized = map(median, zip(*times, strict=True))
     assert moved <= TIME * drawn
     assert sized <= TIME * redrawn
