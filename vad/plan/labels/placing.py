@@ -265,8 +265,10 @@ def _first_free(
 
 def _is_strange(spot: Placed, wish: Wish) -> bool:
     """Tell whether a label is beside another dot than its own, and so would name that."""
-    near = min(STRANGE, distance(spot.box, wish.at))
-    return any(distance(spot.box, rival) < near for rival in wish.rivals)
+    box = spot.box
+    near = min(STRANGE, distance(box, wish.at))
+    left, right = box.left - near, box.right + near
+    return any(left < rival.real < right and distance(box, rival) < near for rival in wish.rivals)
 
 
 def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:

@@ -7,6 +7,7 @@ arrow has a leader.
 
 from __future__ import annotations
 
+import cmath
 import itertools
 import math
 from collections.abc import Iterator, Sequence
@@ -16,7 +17,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vad.kinematics.numbers import ray
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import PIXEL, Bools, Complexes, Integers, Obstacles, Reals
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
@@ -315,9 +315,9 @@ class Places:
         at, radius = complex(self._arrows.centres[number]), float(self._arrows.radii[number])
         middle, span = float(self._arrows.middles[number]), float(self._arrows.spans[number])
         for gap, side, turn in itertools.product(NAMED, (1, -1), (0.0, -0.4, 0.4, -0.2, 0.2)):
-            out = ray(middle + sign * turn * span)
+            out = cmath.rect(1.0, math.radians(middle + sign * turn * span))
             yield beside(at + radius * out, side * out, gap, wide, high)
-        tail = ray(middle - sign * 0.5 * span)
+        tail = cmath.rect(1.0, math.radians(middle - sign * 0.5 * span))
         for gap in NAMED:
             yield beside(at + radius * tail, -sign * 1j * tail, gap, wide, high)
 
