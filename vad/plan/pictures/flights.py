@@ -269,9 +269,13 @@ class Flight:
         return [smooth(end / (sum(seconds) + LANDED)) for end in accumulate(seconds)]
 
     def paths(self, centre: complex, legs: Sequence[Leg]) -> tuple[list[complex], list[complex]]:
-        """Return the ways of tail and head in the last phase."""
-        ends = [self.ends(centre, leg) for leg in legs[-PARTS - 1 :]]
-        return [tail for tail, _ in ends], [head for _, head in ends]
+        """Return the ways of the tail that is seen and of the head in the last phase.
+
+        Of a vector that begins with another one, only the rest is seen.
+        """
+        last = legs[-PARTS - 1 :]
+        heads = [self.ends(centre, leg)[1] for leg in last]
+        return [centre + leg.offset for leg in last], heads
 
     def legs(self, centre: complex, arch: float) -> Iterator[Leg]:
         """Yield how a point of the polygon, about which all is turned, flies from its source.
