@@ -8,7 +8,7 @@ several panels is played on a stage (`vad.plan.stage`).
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Protocol
 
@@ -43,6 +43,7 @@ from vad.plan.page.changing import (
 from vad.plan.page.heads import Foot, compose, lines_of, title_marks
 from vad.plan.page.table import heights
 from vad.plan.pictures import sketched
+from vad.plan.pictures.dimming import Dimming, dimmings
 from vad.plan.pictures.flights import travelling, turned_polygons
 from vad.plan.pictures.found import found_later
 from vad.plan.pictures.senses import found_senses
@@ -92,6 +93,8 @@ class Plan:
         All that can show, in painting order.
     sketches
         The panels with their scales, labels and obstacles, by their names.
+    dimmed
+        What is pale at some beats of a film.
     """
 
     sheet: Sheet
@@ -100,10 +103,12 @@ class Plan:
     regions: Mapping[str, Rect]
     items: tuple[Item, ...]
     sketches: Mapping[str, Sketch]
+    dimmed: Mapping[int, Dimming] = field(default_factory=dict)
 
     def shown(self, beat: int) -> list[Item]:
         """Return the items that show at a beat, in painting order."""
-        return [item for item in self.items if item.since <= beat < item.until]
+        items = [item for item in self.items if item.since <= beat < item.until]
+        return self.dimmed[beat](items) if beat in self.dimmed else items
 
     def at(self, moment: Moment) -> list[Item]:
         """Return the items that show at a moment, in painting order; see `Board`."""
@@ -177,7 +182,7 @@ def plan(
             *(captions(sheet, page, sketches, answer(sheet)) if lesson else ()),
         ]
     shown = tuple(in_painting_order(items, regions))
-    return Plan(sheet, form, page, regions, shown, sketches)
+    return Plan(sheet, form, page, regions, shown, sketches, dimmings(items, sketches, travels))
 
 
 def column(

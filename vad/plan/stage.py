@@ -29,6 +29,7 @@ from vad.plan.page.changing import caption_lines, captions, numbers_said
 from vad.plan.page.chapters import CHAPTERS, chapter_marks
 from vad.plan.page.heads import head, pale, title_marks
 from vad.plan.page.work import in_work
+from vad.plan.pictures.dimming import dimmings
 from vad.plan.pictures.senses import found_senses
 from vad.plan.pictures.sent import sent, to_rows
 from vad.plan.reach import corners, extent
@@ -170,7 +171,11 @@ class Stage:
         ]
         regions = layout.regions
         ordered = _in_scene(in_painting_order(items, regions), number)
-        return Plan(sheet, self.form, page, regions, tuple(ordered), sketches)
+        dimmed = {
+            beat: replace(each, region=_of(number, each.region))
+            for beat, each in dimmings(drawn, sketches, self._travels).items()
+        }
+        return Plan(sheet, self.form, page, regions, tuple(ordered), sketches, dimmed)
 
     def _placed(self, panel: Panel, drawing: Rect, layout: SceneLayout) -> dict[str, Sketch]:
         """Return the sketches of a panel in a place, with lines and letters of its own size.
