@@ -8,11 +8,12 @@ import pytest
 
 import vad
 from tests.plan.test_marks import points
-from tests.plan.test_stage import EVERY, SIZES, lesson_of, stage_of
+from tests.plan.test_stage import EVERY, SIZES, kind_of, lesson_of, stage_of
 from vad.lecture.chapters import chapters
 from vad.lecture.moment import NOTHING, Moment, done, drawing
 from vad.painting.posed import board_of
 from vad.plan.board import seen
+from vad.plan.format import screen
 from vad.plan.layout import MARGIN
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Mark, Polyline
@@ -71,25 +72,40 @@ def test_the_line_goes_dark_with_the_strokes(name: str) -> None:
     count = len(lesson.steps)
     shares = [dark(stage, Moment(drawing(stroke))) for stroke in range(count + 1)]
     assert dark(stage, Moment(0)) == dark(stage, Moment(done(lesson.opens), said=NOTHING)) == 0.0
-    assert all(one < other - 0.004 for one, other in pairwise(shares[:-1]))
-    assert shares[-1] == pytest.approx(shares[-2])
+    assert all(one < other - 0.004 for one, other in pairwise(shares))
+    gaps = 0.006 * (len(chapters(lesson)) - 1)  # at the answer all of it is dark
+    assert shares[-1] == pytest.approx(stage.form.width - 2 * MARGIN - gaps)
     for stroke in range(count):
         rests = marks_at(stage, Moment(done(stroke + 1)))
         assert marks_at(stage, Moment(drawing(stroke), 0.5)) == rests
     assert not marks_at(stage, Moment(stage.finished, scene=float(stage.count)))
 
 
-@pytest.mark.parametrize("name", ["slider-crank", "jansen-leg", "hooke-joint"])
-def test_the_chapter_in_work_is_named(name: str) -> None:
-    lesson, stage = lesson_of(name), stage_of(name)
-    *told, answer = chapters(lesson)
+@pytest.mark.parametrize(
+    ("name", "language"), [("slider-crank", "en"), ("jansen-leg", "de"), ("hooke-joint", "fr")]
+)
+def test_the_chapter_in_work_is_named(name: str, language: str) -> None:
+    lesson = vad.animate(vad.draw(vad.solve(kind_of(name)()), language=language))
+    stage = board_of(lesson)
+    assert isinstance(stage, Stage)
+    told = chapters(lesson)
     for each in told:
         found = marks_at(stage, Moment(drawing(each.step)))
         names = [m.shape for m in found if m.role == "words" and isinstance(m.shape, Lettering)]
         titles = ["".join(run.text for run in name.runs) for name in names]
         assert titles == [each.title]
         assert sum(mark.role == "chapter" for mark in found) == 1
-    assert answer.step == len(lesson.steps)
+    assert told[-1].step == len(lesson.steps)
+    assert told[-1].title == {"en": "Answer", "de": "Antwort", "fr": "Réponse"}[language]
+
+
+def test_a_lesson_without_an_answer_has_no_chapter_of_it() -> None:
+    lesson = lesson_of("slider-crank")
+    told = [each for each in chapters(lesson) if each.title != "Answer"]
+    stage = Stage(lesson.sheet, screen(lesson.size), 0.058, chapters=told)
+    found = marks_at(stage, Moment(stage.finished))
+    assert sum(isinstance(mark.shape, Lettering) for mark in found) == 3
+    assert dark(stage, Moment(stage.finished)) == dark(stage, Moment(done(len(lesson.steps))))
 
 
 @pytest.mark.parametrize("language", languages())

@@ -32,10 +32,13 @@ LEAST_SHARE = 0.55
 NEAR = 1e-9
 
 
+def kind_of(name: str) -> type:
+    return vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
+
+
 @cache
 def lesson_of(name: str, size: tuple[int, int] = SIZES[0]) -> Lesson:
-    kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
-    return vad.animate(vad.draw(vad.solve(kind())), size=size)
+    return vad.animate(vad.draw(vad.solve(kind_of(name)())), size=size)
 
 
 @cache

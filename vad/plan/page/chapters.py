@@ -1,7 +1,8 @@
 """The chapters of a lesson at the foot of its stage: a line in segments, with names beneath.
 
-A segment is as long as its chapter has strokes.  What is told is dark, and the name of the chapter
-in work; both change with a stroke, and never while one is drawn.
+A segment is as long as its chapter has strokes; that of the answer, of which nothing is drawn, is
+as long as its name.  What is told is dark, and the name of the chapter in work; both change with a
+stroke, and never while one is drawn.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from vad.lecture.chapters import Chapter
 from vad.lecture.moment import drawing
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.layout import Page
-from vad.plan.lettering.glyphs import fitted
+from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import roman
 from vad.plan.marks import Lettering, Mark, Polyline, line
 
@@ -28,25 +29,27 @@ BETWEEN = 0.012  # between names
 def chapter_marks(told: Sequence[Chapter], strokes: int, page: Page) -> Iterator[Item]:
     """Yield the line and the names of some chapters, as they are while each stroke is told.
 
-    The ``told`` chapters end with the answer, if there is one, of which nothing is drawn: of all
-    ``strokes`` nothing is left then.
+    The ``told`` chapters end with the answer, if there is one, which counts as a stroke after all
+    ``strokes``.
     """
-    parts = [each for each in told if each.step < strokes]
-    ends = [*(each.step for each in parts), strokes]
+    answer = [roman(each.title) for each in told if each.step == strokes]
+    ends = [*(each.step for each in told), strokes + len(answer)]
     spans = [*pairwise(ends)]
-    pace = (page.right - page.left + APART) / max(strokes - ends[0], 1)
+    last = page.right + APART - sum(width(name, NAME) + BETWEEN for name in answer)
+    pace = (last - page.left) / max(strokes - ends[0], 1)
 
     def place(stroke: int) -> complex:
-        return complex(page.left + pace * (stroke - ends[0]), LINE)
+        across = page.left + pace * (stroke - ends[0])
+        return complex(across if stroke <= strokes else page.right + APART, LINE)
 
     segments = [(place(first), place(end) - APART) for first, end in spans]
 
     def names(now: int) -> Iterator[Mark]:
         """Yield a name for each panel: that of the chapter in work, or that of its first one."""
-        begun = [number for number, each in enumerate(parts) if each.loop == 1 or not number]
-        for number, after in pairwise([*begun, len(parts)]):
+        begun = [number for number, each in enumerate(told) if each.loop == 1 or not number]
+        for number, after in pairwise([*begun, len(told)]):
             mine = number <= now < after
-            name, left = roman(parts[now if mine else number].title), place(ends[number]).real
+            name, left = roman(told[now if mine else number].title), place(ends[number]).real
             size = fitted(name, NAME, LEAST_NAME, place(ends[after]).real - BETWEEN - left)
             at = complex(left, BASELINE)
             yield Mark(Lettering(name, at, size), "words" if mine else "notes")
