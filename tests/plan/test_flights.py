@@ -11,6 +11,7 @@ import vad
 from tests.plan.overlaps import KEY
 from tests.statics.machines import MACHINES
 from tests.statics.test_equilibrium import pose
+from vad.files.examples import example_path
 from vad.lecture.moment import smooth
 from vad.lecture.pace import LANDED, PHASES
 from vad.page.parts import page_plan
@@ -346,3 +347,17 @@ def test_nothing_flies_without_its_source():
     assert [t.kind for t in travels(vad.draw(motion, ("velocity", "acceleration"))).values()] == [
         "coriolis"
     ]
+
+
+def test_what_a_lens_shows_of_an_image_comes_when_that_has_landed():
+    sheet = vad.draw(vad.solve(vad.load(example_path("jansen-leg"))()))
+    scene = Stage(sheet, screen((1280, 720)), KEY, travels(sheet)).scene(2)
+    plates = [i for i in scene.items if any(mark.role == "plate" for mark in i.marks)]
+    flown = {item.stroke: item for item in plates if item.region == FLIGHT}
+    assert len(flown) == 4
+    for item in flown.values():
+        moving = {m.shape for m in item.marks if m.role == "plate" and isinstance(m.growth, Flying)}
+        assert [len(area.rings[0]) for area in moving] == [3]
+    seen = [item for item in plates if item.level == Level.LENS]
+    assert seen and {item.stroke for item in seen} <= flown.keys()
+    assert all(item.since > flown[item.stroke].since for item in seen)

@@ -136,8 +136,9 @@ def travelling(
     found = [light for flight in own.values() for light in flight.lights(sketches)]
     for item in items:
         flight = own.get(item.stroke)
-        if flight is None or item.region != flight.polygon.setting.panel.column:
-            found.append(item)
+        home = flight and flight.polygon.setting.panel.column
+        if flight is None or item.region != home or item.level == Level.LENS:
+            found.append(item)  # a lens shows what has landed
             continue
         flies = [mark for mark in item.marks if flight.carries(mark, item)]
         if flies:
