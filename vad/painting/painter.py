@@ -12,6 +12,9 @@ from vad.plan.items import Item
 from vad.plan.marks import Mark
 from vad.style import Look, Style
 
+#: What fades hides nothing beneath it, when it has so little ink.
+NEARLY_GONE = 0.3
+
 
 class Painter(Protocol):
     """A medium: it is told of a page, of groups, and of marks with their looks.
@@ -48,7 +51,10 @@ class Looks:
         if look is None:
             look = self._known[key] = self._style.look(*key)
         alpha = self._style.strength(mark.role, mark.alpha)
-        return look if alpha == 1.0 else replace(look, alpha=look.alpha * alpha)
+        if alpha == 1.0:
+            return look
+        under = look.under if alpha > NEARLY_GONE else None
+        return replace(look, under=under, alpha=look.alpha * alpha)
 
 
 def play(board: Board, moment: Moment, style: Style, painter: Painter) -> None:
