@@ -135,6 +135,14 @@ def test_a_polygon_that_is_large_most_of_the_time_has_none():
     assert {panel.lens for panel in shown.panels.values()} == {None}
 
 
+def test_it_comes_once_in_a_turn():
+    """The small velocities of the spatial four-bar are small twice."""
+    shown = TurnBoard(vad.turn(vad.SpatialFourBar(), panels="velocity"))
+    lens = shown.panels["velocity.below"].lens
+    assert lens is not None
+    assert len(lens.spans.ends) == 1
+
+
 def test_a_still_with_numbers_has_none():
     still = NumberedTurn(vad.turn(CASES["lever"]()))
     assert still.panels["acceleration"].lens is None

@@ -8,7 +8,8 @@
 
 // A mechanism may take this share of the size that would fit.
 const SMALL = 0.75;
-const SMALLER = 1 / 3, SHARE = 0.5, THERE = 2e-3, NO_SIZE = 1e-9;
+// A peak is so many times as large as three in four poses of a turn, which come close to their room.
+const PEAK = 3.5, ABOUT = 1.15, SHARE = 0.5, THERE = 2e-3, NO_SIZE = 1e-9;
 
 function scales(root, data, out, state) {
   const svgs = [...root.querySelectorAll(".drawing svg")], tops = [...root.querySelectorAll(".panel .top")];
@@ -55,6 +56,8 @@ function scales(root, data, out, state) {
   const centred = ([l, b, r, t], [x, y, u, v], factor) =>
     [(l + r) / 2 - factor * (x + u) / 2, (b + t) / 2 - factor * (y + v) / 2, factor];
 
+  const fitted = (inner, found) => centred(inner, found, filling(inner, found));
+
   function calm(polygon, found) {
     const { inner, to: [x, y, factor] } = polygon, fitting = filling(inner, found);
     const fits = x + factor * found[0] >= inner[0] - 1e-6 && y + factor * found[1] >= inner[1] - 1e-6 &&
@@ -74,10 +77,12 @@ function scales(root, data, out, state) {
       if (set.some((each, n) => each !== polygon.now[n])) polygon.now = polygon.to = set;
       const none = found && Math.max(found[2] - found[0], found[3] - found[1]) * filling(inner, found) < NO_SIZE;
       if (polygon.mechanism && !resized()) polygon.to = data.start.slice(input, input + 3);
-      else if (found && !none && !polygon.steady) calm(polygon, found);
+      else if (found && !none && polygon.steady) polygon.to = fitted(inner, joined(found, polygon.steady));
+      else if (found && !none) calm(polygon, found);
       const { now, to } = polygon;
       if (now.every((each, n) => each === to[n])) continue;
-      const near = still || Math.abs(now[2] / to[2] - 1) + Math.hypot(now[0] - to[0], now[1] - to[1]) < THERE;
+      const outgrown = polygon.steady && to[2] < now[2];
+      const near = still || outgrown || Math.abs(now[2] / to[2] - 1) + Math.hypot(now[0] - to[0], now[1] - to[1]) < THERE;
       polygon.now = to.map((each, n) => (near ? each : now[n] + SHARE * (each - now[n])));
       state.splice(input, 3, ...polygon.now);
       moving = true;
@@ -85,35 +90,32 @@ function scales(root, data, out, state) {
     return moving;
   }
 
-  // The least boxes about what is shown in several poses.
-  function boxes(among, poses, solve, upto, most) {
-    const kept = [...state];
+  const joined = (one, other) => one.map((each, k) => (k < 2 ? Math.min : Math.max)(each, other[k]));
+
+  // The boxes about what is shown in several poses, of each polygon.
+  function boxes(among, poses, solve, upto) {
+    const kept = [...state], found = among.map(() => []);
     for (const pose of poses) {
       solve(...kept.with(0, pose), out, upto);
-      among.forEach((polygon, n) => {
-        const found = box(polygon);
-        if (found) most[n] = most[n] ? found.map((each, k) => (k < 2 ? Math.min : Math.max)(each, most[n][k])) : found;
-      });
+      among.forEach((polygon, n) => { const own = box(polygon); if (own) found[n].push(own); });
     }
-    return most;
+    return found;
   }
 
   // These are all poses of the mechanism with the dimensions of now.
   function whole(poses, solve) {
-    const own = all.filter(({ mechanism }) => mechanism), most = boxes(own, poses, solve, 0, []);
-    own.forEach((polygon, n) => { polygon.most = most[n]; });
+    const own = all.filter(({ mechanism }) => mechanism), found = boxes(own, poses, solve, 0);
+    own.forEach((polygon, n) => { polygon.most = found[n].reduce(joined, found[n][0]); });
   }
 
-  // One scale for all poses of a turn, which fits the largest; it makes no polygon but that of the
-  // velocities much smaller than its own. steady(null) ends that.
+  // One scale for all poses of a turn, which fits the largest. It gives way only to peaks of others
+  // than the velocities, as near dead centres: no vector leaves its room. steady(null) ends that.
   function steady(poses, solve) {
-    const own = all.map(box), most = boxes(all, poses ?? [], solve, 2, own.map((each) => each && [...each]));
-    all.forEach((polygon, n) => {
-      polygon.steady = poses && most[n];
-      if (!polygon.steady) return;
-      const whole = filling(polygon.inner, most[n]), cut = data.halves[polygon.half][0] !== data.fast;
-      const least = own[n] && cut ? SMALLER * filling(polygon.inner, own[n]) : 0;
-      polygon.to = centred(polygon.inner, whole < least ? own[n] : most[n], Math.max(whole, least));
+    boxes(all, poses ?? [], solve, 2).forEach((found, n) => {
+      const polygon = all[n], sizes = found.map((each) => filling(polygon.inner, each));
+      const usual = [...sizes].sort((a, b) => a - b)[Math.floor(sizes.length / 4)];
+      const peak = data.halves[polygon.half][0] !== data.fast && PEAK * Math.min(...sizes) < usual;
+      polygon.steady = found.length && found.filter((_, k) => !peak || ABOUT * sizes[k] > usual).reduce(joined);
     });
   }
 

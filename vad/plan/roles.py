@@ -128,6 +128,7 @@ ROLES: dict[str, Role] = {
     "whole": Role(line="row", width=WHOLE, linked=True),
     "whole light": _light(WHOLE),
     "head": Role(fill="row"),
+    "break": Role(line="row", width=0.0032),
     "ghost": Role(line="row", width=VECTOR, linked=True),
     "ghost head": Role(fill="row"),
     "dashed ghost": Role(line="grey", width=0.0024, dash=(4.0, 2.6)),

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from vad.lecture.poles import DWARFED, usual_limit
+from vad.lecture.poles import usual_limit
 from vad.plan.geometry import Rect
 from vad.plan.lettering.glyphs import ink_size, width
 from vad.plan.lettering.runs import Runs, roman
@@ -46,9 +46,8 @@ DIMENSION = 0.050
 #: Of its panel, a mechanism fills at least this, and a polygon, in which more letters stand.  Where
 #: a new scale is found, it leaves that to spare.
 LEAST, LEAST_POLYGON, SPARE = 0.22, 0.60, 0.20
-#: How many times as large as three in four poses those are that may leave a room of their own, and
-#: one below or above another.
-SINGLE, STACKED = DWARFED, 2.0 * DWARFED
+#: How many times as large as three in four poses those of a turn are that leave their room.
+PEAK = 3.5
 _DEEP = 0.1  # by that share of its height a mechanism reaches below a guide
 _LEVEL = 0.9  # the height of the unit vector across a guide that is about level
 _ROUNDING = 1e-6
@@ -215,15 +214,15 @@ def polygon_scale(
     polygons: Sequence[Sequence[complex]],
     room: Rect,
     centimetre: float | None,
-    dwarfed: float,
+    most: float = PEAK,
 ) -> Scale:
     """Return the scale at which polygons fill a room; a few very large ones may leave it.
 
-    ``polygons`` are the corners of each of them.  Very large is what is ``dwarfed`` times as large
-    as three in four.
+    ``polygons`` are the corners of each of them.  Very large is what is more than ``most`` times as
+    large as three in four.
     """
     sizes = [max(map(abs, points), default=0.0) for points in polygons]
-    limit = usual_limit(sizes, dwarfed)
+    limit = usual_limit(sizes, most)
     kept = zip(polygons, sizes, strict=True)
     points = [point for points, size in kept if size <= limit for point in points]
     return fill(points, room.inside(-SLACK), False, centimetre)

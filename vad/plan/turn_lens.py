@@ -1,7 +1,7 @@
 """The lens of a turn: while all vectors of a polygon are small, they are shown once more, larger.
 
 Its place and its factor never change.  It comes when every point is so near to the others that it
-has room for all of them, and goes when one is farther away by a `HYSTERESIS`.
+has room for all of them, and goes when one is farther away by a `HYSTERESIS`; once in a turn.
 """
 
 from __future__ import annotations
@@ -58,8 +58,8 @@ LETTER = 0.034
 RADII = 7
 #: A polygon that is moved keeps so far from the edge of its room.
 KEPT = 0.055
-#: It is there for that many times the time in which it comes, at least; and how often in a turn.
-LEAST_SPAN, MOST_SPANS = 4.0, 2
+#: It is there for that many times the time in which it comes, at least.
+LEAST_SPAN = 4.0
 #: It makes up for at least that share of what small vectors lack, and covers no more of the
 #: hodographs than that.
 LEAST_GAIN, COVERED = 0.4, 0.05
@@ -204,8 +204,6 @@ def find_lens(polygon: Polygon, ways: Hodographs, opening: float, fade: float) -
         spans = _spans(reach, limit, opening, fade)
         shown = [spans.shows(time) for time in times.tolist()]
         gain = ((np.minimum(factor * lengths, 1.0) - lengths) * shown).sum() / (1.0 - lengths).sum()
-        if len(spans.ends) > MOST_SPANS:
-            continue
         words = words_of(setting, polygon.scale, factor)
         for shift in _shifts(drawn, setting.room):
             if gain <= best[0]:
@@ -232,7 +230,8 @@ def _spans(reach: Reals, limit: float, opening: float, fade: float) -> Spans:
             if number - since > LEAST_SPAN * fade * count:
                 ends.append((since / count + opening, number / count + opening))
             since = None
-    return Spans(tuple(ends), fade)
+    # One that came and went more than once a turn would flicker.
+    return Spans(tuple(sorted(ends, key=lambda end: end[0] - end[1])[:1]), fade)
 
 
 def _shifts(drawn: Complexes, room: Rect) -> list[complex]:

@@ -13,11 +13,14 @@ from dataclasses import replace
 import numpy as np
 
 from vad.lecture.cycle import Cycle
+from vad.plan.chart import BASELINE, HEIGHT, LEAST, SIZE
 from vad.plan.hodographs import Complexes, Hodographs, within
 from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.springs import Ballast, Crowd
-from vad.plan.marks import Mark, line, lines
+from vad.plan.lettering.glyphs import fitted
+from vad.plan.lettering.runs import roman
+from vad.plan.marks import Lettering, Mark, line, lines
 from vad.plan.pictures import over_turn
 from vad.plan.pictures.machine import TICK, TICK_PITCH
 from vad.plan.pictures.polygon import Polygon
@@ -26,6 +29,7 @@ from vad.plan.turn_labels import TurnLabels, grouped
 from vad.plan.turn_lens import TurnLens, find_lens, with_lens
 from vad.strokes.diagram import Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel
+from vad.words import Language
 
 #: The share of ink of links that have nothing to do with the point that is followed.
 FAINT = 0.38
@@ -49,14 +53,18 @@ class TurnPanel:
         opening: float,
         fade: float = 0.0,
     ) -> None:
-        self._setting, self._opening = setting, opening
+        picture = over_turn(setting, poses)
+        if isinstance(picture, Polygon) and any(map(picture.breaks, poses)):
+            below = replace(setting.room, top=setting.room.top - HEIGHT)
+            setting = replace(setting, room=below)
+            picture = over_turn(setting, poses)
+        self._setting, self._opening, self.picture = setting, opening, picture
         self.room = setting.room
         tracks = cycle.tracks.get(setting.panel.name, {})  # of a balanced polygon none
         fixed = {spot.letter for spot, way in tracks.items() if not spot.view and np.ptp(way) == 0}
         rows = {
             spot: setting.row(spot.row or owner_of(spot.letter, fixed, poses)) for spot in tracks
         }
-        self.picture = over_turn(setting, poses)
         self.hodographs = Hodographs(tracks, rows, self.picture.scale, setting.room)
         found = None
         if isinstance(self.picture, Polygon) and setting.lenses:
@@ -102,6 +110,8 @@ class TurnPanel:
         sketch = self.picture.pose(panel)
         sketch.items[:] = [self._inked(item) for item in sketch.items]
         self.labels.add(sketch, panel, phase)
+        if isinstance(self.picture, Polygon) and self.picture.breaks(panel):
+            sketch.add(None, Level.LABEL, 0, [self._note()])
         return sketch
 
     def _inked(self, item: Item) -> Item:
@@ -140,6 +150,15 @@ class TurnPanel:
             return -1.0
         beside = min(at.real - room.left, room.right - at.real)
         return min(beside, at.imag - room.bottom, room.top - at.imag)
+
+    def _note(self) -> Mark:
+        """Return what is said in a line above the room while a vector of a pose is broken."""
+        room = self.room
+        runs = roman(Language(self._setting.sheet.language).say("broken vectors"))
+        size = fitted(runs, SIZE, LEAST, room.width)
+        return Mark(
+            Lettering(runs, complex(room.left, room.top + HEIGHT - BASELINE), size), "notes"
+        )
 
     def _crowd(self, poses: Sequence[Panel]) -> Ballast:
         """Return what labels keep clear of in all poses."""

@@ -76,6 +76,7 @@ PHRASES = {
     # Umlauf
     "stroke": "Hub",
     "after touch-down": "nach dem Aufsetzen",
+    "broken vectors": "Unterbrochene Vektoren sind länger.",
     "stance": "Standphase",
     "swing": "Schwungphase",
     "lift": "Hub",

@@ -85,6 +85,7 @@ PHRASES = {
     # a turn
     "stroke": "stroke",
     "after touch-down": "after touch-down",
+    "broken vectors": "Broken vectors are longer than drawn.",
     "stance": "stance",
     "swing": "swing",
     "lift": "lift",

@@ -81,6 +81,7 @@ PHRASES = {
     # un tour
     "stroke": "course",
     "after touch-down": "après la pose",
+    "broken vectors": "Les vecteurs interrompus sont plus longs.",
     "stance": "appui",
     "swing": "envol",
     "lift": "levée",

@@ -38,7 +38,7 @@ from vad.plan.pictures.shared_lines import NONE_SHARED, SharedLine
 from vad.plan.pictures.vectors import ALONE, Vector, add_vector, is_whole, place_vectors
 from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
-from vad.plan.scale import SINGLE, STACKED, Scale, bar_box, bar_marks, fill, polygon_scale, stated
+from vad.plan.scale import PEAK, Scale, bar_box, bar_marks, fill, polygon_scale, stated
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.diagram import VELOCITY
 from vad.strokes.sheet import Arc, Arrow, Dot, Ellipse, Line, Panel, PolarInset, Stroke, StrokePart
@@ -133,7 +133,7 @@ class Polygon:
         return sketch
 
     def pose(self, panel: Panel) -> Sketch:
-        """Return the whole vectors and dots of one pose; a large one may leave its room."""
+        """Return the whole vectors and dots of one pose; what leaves its room is broken there."""
         room, shown = self._setting.room, principal(panel)
         setting = replace(self._setting, panel=shown)
         taken = Obstacles(room, [], [*self.still.obstacles.boxes])
@@ -163,6 +163,11 @@ class Polygon:
             for box, _ in sketch.obstacles.boxes:
                 sketch.obstacles.block(box)
         return sketch
+
+    def breaks(self, panel: Panel) -> bool:
+        """Tell whether a vector of a pose leaves its room, where it is broken."""
+        room = self._setting.room
+        return any(not room.holds(self.scale(each)) for each in corners(principal(panel)))
 
     def _finish(self, sketch: Sketch, labels: LabelChoice) -> None:
         """Add the dots of all vertices, their letters, and names of vectors that have their own."""
@@ -199,15 +204,14 @@ def draw(setting: Setting) -> Sketch:
 def over_turn(setting: Setting, poses: Sequence[Panel]) -> Polygon:
     """Return the polygon of a turn, as large as leaves room for its speeds in all poses."""
     polygons = [corners(principal(pose)) for pose in poses]
-    # What leaves its room would be taken for a part of the other polygon in its column.
-    dwarfed = SINGLE if len(setting.sheet.panel(setting.panel.column).halves) == 1 else STACKED
-    if setting.panel.column == VELOCITY.panel or _is_followed(setting.panel):
-        dwarfed = math.inf  # a quick return is fast: that is what the turn shows
+    # A quick return is fast: that is what the turn shows.
+    whole = setting.panel.column == VELOCITY.panel or _is_followed(setting.panel)
+    most = math.inf if whole else PEAK
     below = BAR_ROOM if setting.panel.name != setting.panel.column else 0.0
 
     def scale_in(room: Rect) -> Scale:
         over = Rect(room.left, room.bottom + below, room.right, room.top)
-        return polygon_scale(polygons, over, setting.centimetre, dwarfed)
+        return polygon_scale(polygons, over, setting.centimetre, most)
 
     full = Polygon(setting, scale_in(setting.room))
     inset = setting.panel.inset

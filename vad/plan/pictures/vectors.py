@@ -7,8 +7,9 @@ where they are.
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate, combinations, pairwise
 from typing import Literal
@@ -46,6 +47,8 @@ TIP_GAP = 0.006
 LANE = 1.6  # a lane's width, in pens: the heaviest of a style fits, too, and a gap
 APPEARING = ((0.0, 0.0), (0.15, 1.0))  # of a head from which its vector is drawn
 EDGE = 0.010  # from the edge of its room, a vector that leaves it ends
+#: How far before that it is broken, by how much, and half of the two strokes beside the gap.
+BREAK, GAP, ACROSS = 0.022, 0.009, 0.010 * cmath.rect(1.0, math.radians(65.0))
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,26 +122,38 @@ class Vector:
 
 @dataclass(frozen=True, slots=True)
 class Cut:
-    """The anchors of a vector that leaves its room, and is cut at the edge of the room.
+    """The anchors of a vector that leaves its room, and is broken at the edge of the room.
 
     Its head shows where its end lies in the room, of whose edge it keeps clear.
+
+    Attributes
+    ----------
+    vector
+        The vector, or its head.
+    room
+        The room.
+    breaks
+        True for the strokes across the shaft that say that it goes on.
     """
 
     vector: Vector
     room: Rect
+    breaks: bool = False
 
     def posed(self, solved: Solved) -> Outline | None:
         """Return its part in a pose."""
         vector = self.vector
-        end = solved.place(vector.end)
-        ends = self.room.inside(EDGE).clipped(solved.place(vector.start), end)
+        start, end = solved.place(vector.start), solved.place(vector.end)
+        ends = self.room.inside(EDGE).clipped(start, end)
         if ends is None:
             return None
-        if self.room.holds(end):
-            return vector.between(*ends)
+        leaves = [not self.room.holds(each) for each in (start, end)]
         if vector.part == "head":
-            return None
-        return Polyline((tuple(end + vector.lane.aside for end in ends),))
+            return None if leaves[1] else vector.between(*ends)
+        first, last = ends if leaves[1] else drawn(*ends, vector.whole, ALONE)[0].pieces[0]
+        aside = vector.lane.aside
+        pieces = broken(first + aside, last + aside, leaves)[self.breaks]
+        return Polyline(tuple(pieces)) if pieces else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,14 +202,10 @@ class PlacedVector:
         hung = Vector(self.seen[1], Anchor.of(self.stroke, "end"), self.whole, self.lane)
         if room is None or (room.holds(self.end) and room.holds(self.start)):
             return hung.marks(solved, self.row, self.role, grows, self.back)
-        ends = self.within(room)
-        if ends is None:
-            return []
-        cut = Cut(hung, room), Cut(hung.of("head"), room)
-        if room.holds(self.end):
-            return vector(*ends, self.row, self.role, self.whole, self.lane, grows, cut)
-        shaft = Polyline((tuple(spot + self.lane.aside for spot in ends),))
-        return [Mark(shaft, self.role, self.row, hangs=cut[0])]
+        roles = {self.role: Cut(hung, room), "head": Cut(hung.of("head"), room)}
+        roles["break"] = Cut(hung, room, breaks=True)
+        posed = {role: (cut.posed(solved), cut) for role, cut in roles.items()}
+        return [Mark(at, role, self.row, hangs=cut) for role, (at, cut) in posed.items() if at]
 
     def within(self, room: Rect) -> tuple[complex, complex] | None:
         """Return the ends of its visible part in a room; None if nothing is visible."""
@@ -375,6 +386,24 @@ def drawn(start: complex, end: complex, whole: bool, lane: Lane) -> tuple[Polyli
     neck = NECK * head_length(abs(end - start), whole)
     shaft = start + lane.aside, head[0] - neck * direction_of(start, end)
     return Polyline((shaft,)), Polygon((tuple(head),))
+
+
+def broken(
+    start: complex, end: complex, leaves: Sequence[bool]
+) -> tuple[list[tuple[complex, complex]], list[tuple[complex, complex]]]:
+    """Return the pieces of a shaft that is broken near those ends that leave, and its breaks.
+
+    A break is two strokes aslant across the shaft, with a gap between them.
+    """
+    way = direction_of(start, end)
+    stops, breaks = [start, end], list[tuple[complex, complex]]()
+    for leaving, at, along in zip(leaves, (start, end), (way, -way), strict=True):
+        if leaving and abs(end - start) > 3.0 * BREAK:
+            beside = [at + (BREAK + side * GAP / 2) * along for side in (-1.0, 1.0)]
+            stops += beside
+            breaks += [(each - ACROSS * way, each + ACROSS * way) for each in beside]
+    stops.sort(key=lambda at: ((at - start) * way.conjugate()).real)
+    return list(zip(stops[::2], stops[1::2], strict=True)), breaks
 
 
 def head_of(start: complex, end: complex, whole: bool, lane: Lane = ALONE) -> list[complex]:
