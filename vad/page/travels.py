@@ -58,6 +58,8 @@ def page_flights(
         share = sum(phases) / (sum(phases) + LANDED)
         seconds = round(share * lesson.steps[number].grow / lesson.fps, 3)
         kind = travel.kind if flight.is_vector else "area"
+        if kind == "coriolis" and not flight.docks:
+            kind = "turned"  # which flies in the same way, to where its tail will be
         looks = [round(each, 2) + 0.0 for each in turns]
         found[number] = [seconds, kind, phases, columns.index(source), *looks, *places]
     return found

@@ -21,7 +21,7 @@ from vad.plan.items import FLIGHT, Item, Level, Span
 from vad.plan.labels.obstacles import Complexes
 from vad.plan.marks import Flying, Growth, Leg, Mark, Polygon, Polyline, Turning, line
 from vad.plan.pictures.traces import crossings, ghosts, path, ring, strokes_at
-from vad.plan.pictures.vectors import HEAD_SHARE
+from vad.plan.pictures.vectors import HEAD_SHARE, ends_first
 from vad.plan.reach import corners
 from vad.plan.sketch import Sketch
 from vad.strokes.shapes import Turned
@@ -203,6 +203,12 @@ class Flight:
         panel = self.polygon.setting.panel
         return isinstance(panel.strokes[self.index].shape, Arrow)
 
+    @property
+    def docks(self) -> bool:
+        """Whether its head lands at a point that is there already, as zb′ does at b′."""
+        back = ends_first(self.polygon.setting.panel, self.index)
+        return self.travel.kind == "coriolis" and back
+
     def carries(self, mark: Mark, item: Item) -> bool:
         """Tell whether a mark flies: shaft and head of a vector, or the area of an image."""
         if not self.is_vector:
@@ -257,9 +263,8 @@ class Flight:
             moved = replace(mark, growth=flying, hangs=None)
             moving.append(moved)
             traces += ghosts(moved, before, landed)
-        docks = self.travel.kind == "coriolis"
-        traces.append(path(self.paths(centre, legs)[docks], before[-1], landed))
-        if docks:
+        traces.append(path(self.paths(centre, legs)[self.docks], before[-1], landed))
+        if self.docks:
             traces.append(ring(self.polygon.scale(self.travel.end), before[-1], landed))
         return Item(self.stroke, FLIGHT, Level.STROKE, (*traces, *moving), *self.span)
 
