@@ -12,9 +12,10 @@ import vad
 from tests.plan.test_marks import points
 from vad.files.examples import example_names, example_path
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import Moment, done, moments
+from vad.lecture.moment import Moment, done, drawing, moments
 from vad.lecture.scenes import scene_numbers, scenes
 from vad.painting.film import filmed, redraw
+from vad.painting.painter import shown_marks
 from vad.painting.posed import board_of, posed
 from vad.plan.board import Plan, seen
 from vad.plan.items import Item, together
@@ -208,6 +209,30 @@ def test_what_is_measured_shows_with_its_stroke(name: str):
             if item.stroke:
                 names = [s.panel.full(s.stroke.name) for s in lesson.steps[: number + 1]]
                 assert item.stroke in names
+
+
+def rates(stage: Stage, beat: int, share: float) -> list[str]:
+    """Return the values in the rows of the third scene at a moment."""
+    items = [item for item in stage.scene(2).shown(beat) if item.region.endswith(":work")]
+    marks = [mark for item in items for mark in shown_marks(item, Moment(beat, share))]
+    texts = [mark.shape.runs for mark in marks if isinstance(mark.shape, Lettering)]
+    words = ("".join(run.text for run in runs) for runs in texts)
+    return [each for each in words if " = " in each and "rad/s" in each]
+
+
+def test_a_rate_stands_in_its_row_until_another_one_takes_its_place():
+    """At 4:3 there is room for one column: ω is needed until α is used, or found and has come."""
+    sheet = vad.draw(vad.solve(vad.CrankSlottedLever(), alpha=20))
+    lesson = vad.animate(sheet, size=SIZES[1])
+    stage = board_of(lesson)
+    assert isinstance(stage, Stage)
+    names = [f"{step.panel.name}:{step.stroke.name}" for step in lesson.steps]
+    given, found = (names.index(f"acceleration:{n}.tangential") for n in ("AB", "DQ"))
+    assert rates(stage, done(given), 1.0) == ["ω2 = 10 rad/s", "ω4 = 2.820 rad/s"]
+    assert rates(stage, drawing(given), 0.5) == ["α2 = 20 rad/s2", "ω4 = 2.820 rad/s"]
+    for share, count in ((0.0, "ω4 ="), (1.0, "α4 =")):
+        crank, lever = rates(stage, done(found + 1), share)
+        assert crank == "α2 = 20 rad/s2" and lever.startswith(count)
 
 
 def test_one_panel_has_no_stage():

@@ -7,7 +7,7 @@ equations.  Of a part its equation is shown, and the rows of the results that it
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from vad.plan.geometry import Rect
@@ -38,6 +38,8 @@ TIGHT = 0.88  # of the type, for which two cells stand side by side
 SHORT_KEY = 0.7  # of the key's length
 #: At the end of a rate's flight its number comes in its row: shares of the flight, and of ink.
 ARRIVING = ((0.9, 0.0), (1.0, 1.0))
+#: Meanwhile the number in whose place it comes goes.
+LEAVING = ((0.8, 1.0), (0.9, 0.0))
 #: The panel whose results another one needs.
 NEEDS = {ACCELERATION.panel: VELOCITY.panel}
 
@@ -217,7 +219,8 @@ class _Rows:
     """The rows of a part: names on the left, and their cells beside them.
 
     What the panel needs of another one stands in a column before its own cells.  If there is no
-    room for two columns, it stands in their place, until they are measured.
+    room for two columns, it stands in their place, until they are measured, or used if they are
+    given.
     """
 
     def __init__(self, words: _Words, entries: Entries) -> None:
@@ -259,19 +262,38 @@ class _Rows:
                 found.append(_Cell(cell, text, heavy, stroke, since))
         return found
 
+    def _later(self, row: Row, cells: Sequence[_Cell]) -> list[_Cell]:
+        """Return the cells of a row; those that are given show when their component is drawn."""
+        part, setting = self._words.part, self._words.sketches[self._words.part.half.name].setting
+        drawn = (
+            setting.during(number)
+            for number, stroke in enumerate(part.half.strokes)
+            if stroke.kind == "known" and stroke.link == row.key
+            if stroke.component in ("tangential", "sliding")
+        )
+        used = next(drawn, FOREVER)
+        return [each if each.name else replace(each, since=used) for each in cells]
+
     def items(self, top: float, share: float) -> Iterator[Item]:
         """Yield the rows below a height, by a share smaller in all."""
         words, size, pitch = self._words, SIZE * min(share, self.type), ROW_PITCH * SIZE * share
         shrink = size / SIZE
         y = top - pitch
-        for row, (needed, own) in self._shown:
+        for row, (needed, measured) in self._shown:
+            own = self._later(row, measured) if needed and not self._together else measured
             at = complex(words.room.left, y)
             key = words.key * shrink
             yield words.item(*self._entries.name(row, at, key, size, shrink, self._named))
             first = at + self._tab * shrink
             until = FOREVER if self._together else min((c.since for c in own), default=FOREVER)
+            follows = next((each.name for each in own if each.since == until), "")
             for number, cell in enumerate(needed):
-                yield from self._shows(cell, first - 1j * number * pitch, size, until)
+                place = first - 1j * number * pitch
+                yield from self._shows(cell, place, size, until)
+                if words.flies and follows:
+                    text, role = Lettering(cell.text, place, size), self._entries.role(cell.cell)
+                    mark = Mark(text, role, growth=Fading(LEAVING))
+                    yield words.item(mark, since=until, until=until + 1, name=follows)
             for number, cell in enumerate(own):
                 place = first + self._second * shrink - 1j * number * pitch
                 yield from self._shows(cell, place, size)
