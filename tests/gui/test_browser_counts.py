@@ -28,6 +28,32 @@ MOST = {
     "hooke-joint": (129, 240, 125, 53, 219),
     "whitworth": (88, 81, 88, 32, 178),
 }
+#: Milliseconds from one text to the next while the hand moves.
+LEGIBLE = 50
+#: Moves in each of so many frames, and then twice at once: in how many of these frames the ring has
+#: another place and the table another text, and what the box says and should say after each of the
+#: last moves, when the hand lets go and when a program asks for a pose.
+_READ = """([x, y, count]) => new Promise((done) => {
+  const [ring, box] = ["[data-vad-grip]", ".said input"].map((name) => document.querySelector(name));
+  const table = document.querySelector(".results"), begun = performance.now();
+  const found = { drawn: 0, written: 0, box: [] };
+  let place = "", text = "";
+  const to = (number, kind = "pointermove") => ring.dispatchEvent(new PointerEvent(kind,
+    { clientX: x + number % 6, clientY: y - number * number % 5, bubbles: true, pointerId: 1 }));
+  const says = () => found.box.push([parseFloat(box.value), vad.state.angle]);
+  const step = () => {
+    to(count);
+    found.drawn += place !== (place = ring.getAttribute("cx"));
+    found.written += text !== (text = table.textContent);
+    if (--count) return requestAnimationFrame(step);
+    to(7), to(9), says();
+    to(9, "pointerup"), says();
+    vad.pose({ angle: 40 }), says();
+    vad.pose({ angle: 41 }), says();
+    done({ ...found, time: performance.now() - begun });
+  };
+  requestAnimationFrame(step);
+})"""
 _TRACED = ["devtools.timeline", "disabled-by-default-devtools.timeline"]
 #: The kilobytes of the window itself.
 WINDOW = 320
@@ -64,6 +90,7 @@ def test_a_move_sets_no_more_than_it_moves_and_asks_nobody(browser: Browser, nam
                 page.mouse.move(x, y - number % 2)
             styled, laid, whole = work(json.loads(browser.stop_tracing()))
             assert not [url for url in asked if "/api/pose" in url]
+            read = page.evaluate(_READ, [x, y, MOVES])
             page.mouse.up()
     attributes, candidates = (
         (found["now"][each] - found["begun"][each]) / found["poses"]
@@ -74,6 +101,11 @@ def test_a_move_sets_no_more_than_it_moves_and_asks_nobody(browser: Browser, nam
     assert candidates <= MOST[name][1]
     assert styled <= MOST[name][3]
     assert laid <= MOST[name][4]
+    assert read["drawn"] == MOVES
+    assert 2 <= read["written"] <= read["time"] / LEGIBLE + 2, "nobody reads more"
+    (late, due), *rest = read["box"]
+    assert late != due
+    assert all(said == asked for said, asked in rest)
     assert whole == 0, "drawings, table and track are laid out by themselves"
 
 

@@ -62,6 +62,7 @@ def paint(page: Page, **inputs: float) -> None:
         """inputs => {
           for (const name in inputs) view.state[given.inputs.indexOf(name)] = inputs[name];
           for (let n = 0; n < 60; n++) view.paint();
+          view.write();
         }""",
         inputs,
     )

@@ -75,7 +75,7 @@ function stand(answer) {
   standing = { mechanism: set.mechanism, key: answer.key, strokes: all, ...playing(root, { ...answer.data, start: Math.min(at, all) }) };
   standing.copied = poseOf(answer.results);
   globalThis.vad = standing.outside;
-  standing.body.on(followed);
+  standing.body.reads(followed);
   standing.dock.beyond = (name, value) => { resize(name, value); want(true); };
   standing.body.show();
   if (was ? was.held : step === null) standing.dock.enter();

@@ -122,7 +122,9 @@ function docked(root, body, player) {
     if (!held) enter();
     clearTimeout(timer);
     mishap = "";
-    before ??= [...state];
+    if (before) return;
+    before = [...state];
+    body.said();
   }
 
   function commit() {
@@ -132,6 +134,7 @@ function docked(root, body, player) {
       future = [];
     }
     before = null;
+    body.said();
     able();
     timer = setTimeout(speak, REST);
   }
@@ -154,6 +157,7 @@ function docked(root, body, player) {
     to.push([...state]);
     body.set(from.pop());
     scale();
+    body.said();
     able();
     timer = setTimeout(speak, REST);
   }
@@ -162,6 +166,7 @@ function docked(root, body, player) {
     begin();
     body.rest();
     body.move(by);
+    body.said();
     settle();
   }
 
@@ -379,7 +384,8 @@ function docked(root, body, player) {
   }
   player.on(root, "vad:stage", arranged);
   if (player.large[0] >= 0) arranged();
-  body.on(shown);
+  body.reads(shown);
+  player.on(window, "beforeprint", body.said);
   dragged(root, body, begin, () => { commit(); player.fit(); });
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
 

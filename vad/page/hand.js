@@ -9,7 +9,9 @@
 //   dimensions   of each its name, value, ends, unit, its place among the inputs, and what is taken
 //   assemblies   of each its name, and the factors of its loops, which are the inputs "sides"
 //   limits       outputs that are zero where links part, and how they stand there
-// Listeners hear of every pose: on(listener).
+// Listeners hear of every pose: on(listener).  What is text follows less often, so that it can be
+// read: reads(listener), written with the table.  said() lets all text be that of the pose at once, and
+// of the next one, too.
 
 // Of the size of a mechanism: two places that are nearer are one.
 const MEETING = 1e-4;
@@ -17,10 +19,31 @@ const MEETING = 1e-4;
 const END = 1e-11;
 // In so many poses of a stretch the size of a mechanism is looked up.
 const POSES_WHOLE = 48;
+// Milliseconds from one text to the next while a pose follows the other: nobody reads more of them.
+const LEGIBLE = 50;
+
+// Does something when it is called, and in a row of calls so often that this many milliseconds lie
+// between; the last call counts, too. now() does what is left at once, and so the next call.
+function paced(what, span) {
+  let timer = 0, left = false;
+  const call = () => {
+    left = timer > 0;
+    if (left) return;
+    timer = setTimeout(ring, span);
+    what();
+  };
+  const ring = () => {
+    clearTimeout(timer);
+    timer = 0;
+    if (left) call();
+  };
+  call.now = () => { ring(); ring(); };
+  return call;
+}
 
 function driven(root, solve, data) {
   const view = picture(root, solve, data), { state, out } = view;
-  const turns = data.inputs[0] === "angle", listeners = [];
+  const turns = data.inputs[0] === "angle", listeners = [], readers = [];
   const full = (range) => turns && range[1] - range[0] >= 360;
   const span = data.ranges.length ? data.ranges.at(-1)[1] - data.ranges[0][0] : 1;
   const ends = turns ? [0, 360] : [data.ranges[0][0] - span, data.ranges.at(-1)[1] + span];
@@ -92,10 +115,16 @@ function driven(root, solve, data) {
 
   // Paints the state. At a limit rates have no value: they grow without end towards it.
   function show() {
-    root.classList.toggle("resized", key(state) !== key(data.start));
+    root.classList.toggle("resized", known !== key(data.start));
     drawn();
     for (const listener of listeners) listener();
+    say();
   }
+
+  const say = paced(() => {
+    view.write();
+    for (const reader of readers) reader();
+  }, LEGIBLE);
 
   function drawn() {
     view.paint(atEnd() ? [state[0], NaN, NaN, ...state.slice(3)] : state);
@@ -155,6 +184,8 @@ function driven(root, solve, data) {
   return {
     data, turns, ends, state, out, view, solve, closes, holds, refused, set, move, show, arrange, key, among, assembly, assembled, beyond, parting,
     on: (listener) => listeners.push(listener),
+    reads: (reader) => readers.push(reader),
+    said: say.now,
     rest: () => { wanted = state[0]; },
     get ranges() { return ranges; },
     get range() { return range; },

@@ -1,6 +1,6 @@
 // The picture that a hand moves: one program finds its pose, and its elements follow.
 //
-// picture(root, solve, data) -> {state, out, paint, glides, steady, hidden, counts, x, y, unit,
+// picture(root, solve, data) -> {state, out, paint, write, glides, steady, hidden, counts, x, y, unit,
 // written}. How many labels have no room is the page's attribute data-hidden, too.
 // The function solve is that of vad/page/solver.py; data is that of vad/page/hand.py:
 //   inputs, start   the names of all inputs, and their values in the lesson's pose
@@ -26,8 +26,8 @@ function picture(root, solve, data) {
   const texts = svgs.flatMap((svg) => [...svg.querySelectorAll(".label")]);
   const names = labels(texts, data, out, counts), sizes = scales(root, data, out, state);
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
-  const before = data.moves.map(() => null), listeners = [];
-  let frame = 0, fresh = true;
+  const listeners = [];
+  let frame = 0, fresh = true, given = [];
 
   // The text of an attribute, or of two; none where a number does not exist.
   const kinds = {
@@ -43,6 +43,8 @@ function picture(root, solve, data) {
     t: (element, text) => element.setAttribute("transform", `translate(${text})`),
   };
   const path = (element, text) => element.setAttribute(element.localName === "path" ? "d" : "points", text);
+  const moves = data.moves.map(([kind, ...parts], i) =>
+    ({ text: kinds[kind], set: set[kind] ?? path, parts, elements: elements[i], before: null }));
 
   function points(places) {
     let text = "";
@@ -88,24 +90,24 @@ function picture(root, solve, data) {
   // Paints the pose of the state, or one with other rates; what does not exist in it is hidden.
   // Scales and labels that have changed glide on in the next frames.
   function paint(at = state) {
-    const given = at.slice(0, 3), still = fresh || calm.matches;
+    const still = fresh || calm.matches;
+    given = at.slice(0, 3);
     fresh = false;
     cancelAnimationFrame(frame);
-    find(given);
-    let moving = sizes.choose(still);
-    if (moving) find(given);
+    find();
+    const moving = sizes.choose(still);
+    if (moving) find();
     sizes.state();
-    data.moves.forEach(([kind, ...parts], i) => {
-      const text = kinds[kind](parts);
-      if (text === before[i]) return;
-      for (const element of elements[i]) {
-        if (!text !== !before[i] || before[i] === null) element.style.display = text ? "" : "none";
-        if (text) (set[kind] ?? path)(element, text);
+    for (const move of moves) {
+      const text = move.text(move.parts);
+      if (text === move.before) continue;
+      for (const element of move.elements) {
+        if (!text !== !move.before || move.before === null) element.style.display = text ? "" : "none";
+        if (text) move.set(element, text);
         counts.attributes++;
       }
-      before[i] = text;
-    });
-    write();
+      move.before = text;
+    }
     lettered(still, moving && !still && (() => {
       paint(given);
       for (const listener of listeners) listener();
@@ -119,7 +121,7 @@ function picture(root, solve, data) {
     if (next || gliding) frame = requestAnimationFrame(next || (() => lettered(calm.matches)));
   }
 
-  function find(given) {
+  function find() {
     solve(...given, ...state.slice(given.length), out, 2);
     data.own.forEach((place, i) => (out[place] = state[i]));
   }
@@ -173,8 +175,9 @@ function picture(root, solve, data) {
     return most;
   }
 
-  // A lesson keeps its own numbers.
+  // Writes the numbers of the pose that is painted. A lesson keeps its own.
   function write() {
+    find(); // who has looked for another pose has left its numbers
     const most = beside();
     for (const { element, place, factor, units, given, bare, text } of root.classList.contains("turned") ? cells : []) {
       if (!text.isConnected) {
@@ -214,19 +217,21 @@ function picture(root, solve, data) {
       }
     });
     sizes.arrange(panel);
-    find([]);
+    given = [];
+    find();
     fresh = true;
   }
 
   return {
-    state, out, paint, x, y, unit, counts, names, arrange,
+    state, out, paint, write, x, y, unit, counts, names, arrange,
     written: (value, units) => written(value, units, false, data.point),
     // A listener hears of each frame in which the picture glides on by itself.
     glides: (listener) => listeners.push(listener),
     // One scale for the poses at these places of the driver; null for scales as they are needed.
     steady(poses) {
       sizes.steady(poses, solve);
-      find([]);
+      given = [];
+      find();
     },
     // All poses, by their places of the driver, of a mechanism whose dimensions have changed.
     whole: (poses) => sizes.whole(poses, solve),
