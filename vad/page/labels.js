@@ -8,6 +8,7 @@
 
 const APART = 0.006, BESIDE = 0.02, CLEAR = 0.006, TIGHT = 0.001, LEADING = 0.046, BETWEEN = 0.02, IN_ROW = 4;
 const STEP = 10 / 720, JUMP = 11 / 720, JOINED = 12 / 720, PARTED = 15 / 720, PLACES = 40, OWN = 1.06, SELDOM = 4, REACH = 0.2;
+const THIN = 0.002;
 const SVG = "http://www.w3.org/2000/svg";
 
 function labels(texts, data, out, counts) {
@@ -73,22 +74,22 @@ function labels(texts, data, out, counts) {
   }
 
   function grouped(found) {
-    const first = new Map(found.map((each) => [each, each]));
-    const root = (each) => { while (first.get(each) !== each) each = first.get(each); return each; }; // ends at the least number
+    const root = (each) => { while (each.first !== each) each = each.first; return each; }; // ends at the least number
+    for (const each of found) [each.first, each.mates] = [each, null];
     for (let n = 0; n < found.length; n++)
       for (let m = 0; m < n; m++) {
         const a = found[m], b = found[n];
         if (!a.dot || !b.dot || a.column !== b.column) continue;
-        const pair = a.number * all.length + b.number, away = Math.hypot(a.u - b.u, a.v - b.v);
-        if (away < JOINED || (away < PARTED && joined.has(pair))) {
+        const pair = a.number * all.length + b.number, away = (a.u - b.u) ** 2 + (a.v - b.v) ** 2;
+        if (away < JOINED ** 2 || (away < PARTED ** 2 && joined.has(pair))) {
           joined.add(pair);
           const [one, other] = [root(a), root(b)];
-          if (one !== other) first.set(one.number < other.number ? other : one, one.number < other.number ? one : other);
-        } else joined.delete(pair);
+          if (one.number < other.number) other.first = one;
+          else one.first = other;
+        } else if (joined.size) joined.delete(pair);
       }
-    const together = new Map();
-    for (const each of found) together.set(root(each), [...together.get(root(each)) ?? [], each]);
-    return [...together.values()].map((members) => {
+    for (const each of found) (root(each).mates ??= []).push(each);
+    return found.filter((each) => each.mates).map(({ mates: members }) => {
       const key = members.map((each) => each.number).join();
       let group = groups.get(key);
       if (!group) {
@@ -104,13 +105,24 @@ function labels(texts, data, out, counts) {
     });
   }
 
-  const apart = (u, v, { wide, high }, p, q) =>
-    Math.hypot(Math.max(0, Math.abs(p - u) - wide), Math.max(0, Math.abs(q - v) - high));
+  // In each frame there are thousands of such questions: no arrays are made for them.
+  const apart = (u, v, { wide, high }, p, q) => {
+    const aside = Math.max(0, Math.abs(p - u) - wide), above = Math.max(0, Math.abs(q - v) - high);
+    return Math.sqrt(aside * aside + above * above);
+  };
 
-  const meets = (u, v, w, h, [p, q, dx, dy, half]) => {
-    const aside = u - p, above = v - q, long = Math.abs(dx), tall = Math.abs(dy);
+  const box = (u, v, group) => ({ u, v, wide: group.wide, high: group.high, group });
+
+  // A line from one place to another: its middle, and half its way.
+  function line(a, b, c, d, half) {
+    const x = (c - a) / 2, y = (d - b) / 2;
+    return { u: (a + c) / 2, v: (b + d) / 2, x, y, long: Math.abs(x), tall: Math.abs(y), half };
+  }
+
+  const meets = (u, v, w, h, { u: p, v: q, x, y, long, tall, half }) => {
+    const aside = u - p, above = v - q;
     return Math.abs(aside) <= w + half + long && Math.abs(above) <= h + half + tall &&
-      Math.abs(aside * dy - above * dx) <= (w + half) * tall + (h + half) * long;
+      Math.abs(aside * y - above * x) <= (w + half) * tall + (h + half) * long;
   };
 
   // The line from a label at a place to its dot.
@@ -133,10 +145,11 @@ function labels(texts, data, out, counts) {
   function may(group, x, y, boxes, dots, slack = 0, without = null) {
     const u = group.u + x, v = group.v + y, { wide, high } = group, room = data.halves[group.half];
     if (u - wide < room[1] || v - high < room[2] || u + wide > room[3] || v + high > room[4]) return false;
-    for (const [p, q, a, b, other] of boxes)
-      if (other !== without && near(u - p, v - q, wide + a + slack, high + b + slack)) return false;
+    for (const box of boxes)
+      if (box.group !== without && near(u - box.u, v - box.v, wide + box.wide + slack, high + box.high + slack)) return false;
     if (!group.dot) return true;
-    const own = OWN * Math.min(...group.members.map((each) => apart(u, v, group, each.u, each.v)));
+    let own = Infinity;
+    for (const each of group.members) own = Math.min(own, OWN * apart(u, v, group, each.u, each.v));
     for (const dot of dots)
       if (Math.abs(dot.u - u) < wide + own && Math.abs(dot.v - v) < high + own &&
         apart(u, v, group, dot.u, dot.v) <= own && !group.members.includes(dot)) return false;
@@ -150,14 +163,14 @@ function labels(texts, data, out, counts) {
     if (!may(group, x, y, boxes, dots, slack, without)) return 0;
     const u = group.u + x, v = group.v + y, { wide, high } = group, clear = CLEAR + slack;
     let found = 2;
-    for (const line of lines)
-      if (meets(u, v, wide + clear, high + clear, line)) {
-        if (slack || meets(u, v, wide + TIGHT, high + TIGHT, line)) return 0;
+    for (const each of lines)
+      if (meets(u, v, wide + clear, high + clear, each)) {
+        if (slack || meets(u, v, wide + TIGHT, high + TIGHT, each)) return 0;
         found = 1;
       }
     if (gap < group.leader) return found;
-    const [a, b, c, d] = lead(group, x, y), line = [(a + c) / 2, (b + d) / 2, (c - a) / 2, (d - b) / 2, 0.002];
-    return boxes.some(([p, q, wide, high, other]) => other !== without && meets(p, q, wide, high, line)) ? 0 : found;
+    const leader = line(...lead(group, x, y), THIN);
+    return boxes.some((box) => box.group !== without && meets(box.u, box.v, box.wide, box.high, leader)) ? 0 : found;
   }
 
   // The best place for a label, the nearest of all that are as free, and how free it is.
@@ -184,7 +197,7 @@ function labels(texts, data, out, counts) {
     settle(take(group, found), around);
     const next = seek(other, around, other);
     if (next) {
-      boxes.splice(boxes.findIndex((box) => box[4] === other), 1);
+      boxes.splice(boxes.findIndex((box) => box.group === other), 1);
       settle(take(other, next), around);
     } else {
       [boxes.length, lines.length] = sizes;
@@ -194,10 +207,8 @@ function labels(texts, data, out, counts) {
 
   function settle(group, { boxes, lines }) {
     const [x, y] = spot(group, group.round, group.gaps[group.gap]);
-    boxes.push([group.u + x, group.v + y, group.wide, group.high, group]);
-    if (group.gap < group.leader) return;
-    const [a, b, c, d] = lead(group, x, y);
-    lines.push([(a + c) / 2, (b + d) / 2, (c - a) / 2, (d - b) / 2, 0.002]);
+    boxes.push(box(group.u + x, group.v + y, group));
+    if (group.gap >= group.leader) lines.push(line(...lead(group, x, y), THIN));
   }
 
   // Leads a label on its way by a step, and tells where it is.
@@ -215,15 +226,16 @@ function labels(texts, data, out, counts) {
 
   function place(calm) {
     const columns = data.halves.map(() => ({ lines: [], boxes: [], dots: [] }));
-    for (const [half, p, q, a, b] of data.boxes)
-      if (out[p] - out[p] === 0) columns[data.halves[half][0]].boxes.push([out[p], out[q], a, b]);
-    for (const [half, a, b, c, d, wide] of data.blocks) {
-      const u = (out[a] + out[c]) / 2, v = (out[b] + out[d]) / 2;
-      if (u - u === 0 && v - v === 0) columns[data.halves[half][0]].lines.push([u, v, (out[c] - out[a]) / 2, (out[d] - out[b]) / 2, wide]);
+    for (const [half, p, q, wide, high] of data.boxes)
+      if (out[p] - out[p] === 0) columns[data.halves[half][0]].boxes.push(box(out[p], out[q], { wide, high }));
+    for (const block of data.blocks) {
+      const made = line(out[block[1]], out[block[2]], out[block[3]], out[block[4]], block[5]);
+      if (made.u - made.u === 0 && made.v - made.v === 0) columns[data.halves[block[0]][0]].lines.push(made);
     }
     const found = [];
     for (const each of all) {
-      [each.u, each.v] = each.at.map((n) => out[n]);
+      each.u = out[each.at[0]];
+      each.v = out[each.at[1]];
       each.there = !each.shell.classList.contains("off") && each.u - each.u === 0 && each.v - each.v === 0;
       for (let n = 0; n < each.apart.length; n += 2)
         if (!(Math.hypot(out[each.apart[n]] - each.u, out[each.apart[n + 1]] - each.v) > 1e-6)) each.there = false;
@@ -258,34 +270,29 @@ function labels(texts, data, out, counts) {
     return show(placed, columns, calm) || late;
   }
 
-  // Shows all labels that have a place; one that would jump or cross another is hidden for once.
+  // Shows all labels that have a place, first those that are there; one that would jump or cross another
+  // is hidden for once.
   function show(placed, columns, calm) {
-    const boxes = columns.map(() => []), seen = new Set();
-    let moving = false;
-    const ready = placed.filter((group) => group.clear < 3).map((group) => [group, onWay(group, calm)]);
+    const boxes = columns.map(() => []), ready = placed.filter((group) => group.clear < 3);
+    for (const group of ready) group.still = onWay(group, calm);
+    for (const group of groups.values()) group.visible = false;
     hidden = placed.reduce((sum, group) => sum + group.members.length, 0);
-    for (const [group, still] of [...ready.filter(([, still]) => still), ...ready.filter(([, still]) => !still)]) {
+    let moving = false;
+    for (const still of [true, false]) for (const group of ready) {
+      if (group.still !== still) continue;
       const [x, y] = spot(group, group.at, group.off), own = boxes[group.column];
       const jumps = !calm && group.members.some((each, n) => each.seen &&
         Math.hypot(group.u + x + group.spots[n][0] - each.u - each.off[0], group.v + y + group.spots[n][1] - each.v - each.off[1]) > JUMP);
-      group.still = still;
-      if (jumps || !may(group, x, y, own, columns[group.column].dots)) {
-        group.visible = false;
-        moving = true;
-        continue;
-      }
-      moving ||= !still;
-      own.push([group.u + x, group.v + y, group.wide, group.high]);
-      seen.add(group);
+      group.visible = !jumps && may(group, x, y, own, columns[group.column].dots);
+      moving ||= !still || !group.visible;
+      if (!group.visible) continue;
+      own.push(box(group.u + x, group.v + y, group));
+      hidden -= group.members.length;
       write(group, x, y);
     }
-    for (const group of groups.values()) group.visible = seen.has(group);
-    const visible = new Set([...seen].flatMap((group) => group.members));
-    hidden -= visible.size;
-    for (const each of all) {
-      each.seen = visible.has(each);
-      if (!each.seen) put(each, "");
-    }
+    for (const each of all) each.seen = false;
+    for (const group of ready) if (group.visible) for (const each of group.members) each.seen = true;
+    for (const each of all) if (!each.seen) put(each, "");
     return moving;
   }
 
