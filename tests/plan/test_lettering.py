@@ -137,6 +137,17 @@ def test_an_equation_longer_than_a_line_breaks_before_a_sign():
     assert lines[1][0] == "="
 
 
+def test_two_lines_of_an_equation_part_at_its_equality():
+    text = (
+        "p′ by the acceleration image of the coupler: b′p′ = b′c′·BP/BC = 3389.2 × 20/40 = "
+        "1695 mm/s²; a′p′ = 1386 mm/s², the acceleration of P."
+    )
+    for room in range(1090, 1120, 5):
+        lines = ["".join(r.text for r in line) for line in wrap((TextPiece(text),), 28.0, room)]
+        assert len(lines) == 2
+        assert not lines[1].startswith("×")
+
+
 def test_shrinking_to_fit_stops_at_the_least_size():
     runs = roman("crank and slotted lever")
     assert fitted(runs, 40.0, 30.0, 1e6) == 40.0
