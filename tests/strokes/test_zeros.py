@@ -6,6 +6,7 @@ import pytest
 
 import vad
 from tests.strokes.poses import MECHANISMS, sheets
+from vad.files.examples import example_path
 from vad.strokes.sheet import Arrow, Panel, Sheet, Stroke
 from vad.strokes.vector_equations import NOTHING
 
@@ -132,3 +133,12 @@ def test_at_rest_all_vectors_are_zero_at_the_pole() -> None:
 def test_driven_slide_without_acceleration_keeps_its_point_at_the_pole() -> None:
     panel = vad.draw(vad.solve(vad.DoubleSlider(), acceleration=0.0)).panel("acceleration")
     assert zeros(panel)["OA.sliding"].shape == Arrow(0j, 0j, "o′", "a′")
+
+
+def test_a_point_in_line_of_a_link_that_does_not_turn_is_found_without_a_proportion() -> None:
+    """The platform of a scissor lift only rises: dq, and with it de = dq·DE/DQ, is noise."""
+    sheet = vad.draw(vad.solve(vad.load(example_path("scissor-lift"))()))
+    for panel, letter in (("velocity", "e falls on d"), ("acceleration", "e′ falls on d′")):
+        (said,) = (s.caption for s in sheet.panel(panel).strokes if s.name == "E.image")
+        assert said.startswith(letter)
+        assert not any(sign.isdigit() for sign in said)

@@ -165,14 +165,16 @@ class Images:
             self._pencil.absolute(bar.head, bar.link, image=True)
 
     def _divide(self, bar: Bar, base: Bar) -> None:
-        """Find a point in line by proportion."""
+        """Find a point in line by proportion; on a link that does not turn it moves as all do."""
         pencil = self._pencil
         at = pencil.image(bar.head)
+        known, own = (pencil.image(b.head) - pencil.image(b.tail) for b in (base, bar))
         said = None
-        if pencil.shows(at):
-            known, own = (abs(pencil.image(b.head) - pencil.image(b.tail)) for b in (base, bar))
+        if pencil.shows(at) and pencil.shows(known):
             label = pencil.label_from_pole(bar.head, bar.link)
-            said = pencil.say.image(bar, base, label, (known, own, abs(at)))
+            said = pencil.say.image(bar, base, label, (abs(known), abs(own), abs(at)))
+        elif pencil.shows(at):
+            said = self._alike(bar, [pencil.letter(p) for p in (bar.tail, bar.head)])
         pencil.vertices[pencil.letter(bar.head)] = at
         pencil.absolute(bar.head, bar.link, image=True, said=said)
 
@@ -188,7 +190,7 @@ class Images:
         for near, far in ((0, 1), (1, 0)):
             self._line(corners[near], corners[far], bar, turns)
         pencil.vertices[letters[2]] = places[2]
-        said = self._similar(bar, base) if turns else self._alike(bar, letters)
+        said = self._similar(bar, base) if turns else self._alike(bar, letters[::2])
         part = StrokePart(bar.head, "crossing")
         pencil.add(Stroke("intersection", letters[2], Dot(places[2]), said, part=part))
         if turns and not pencil.resting:
@@ -262,9 +264,9 @@ class Images:
         )
 
     def _alike(self, bar: Bar, letters: list[str]) -> Sentence:
-        """Say that all points of the link move alike."""
-        phrase = f"image alike {ORDERS[self._order].panel}"
-        return self._scene.say(phrase, letter=letters[2], point=letters[0], link=Noun(bar.link))
+        """Say that all points of the link move alike: the second letter falls on the first one."""
+        phrase, (point, letter) = f"image alike {ORDERS[self._order].panel}", letters
+        return self._scene.say(phrase, letter=letter, point=point, link=Noun(bar.link))
 
 
 def polygon(scene: Scene, order: int) -> Drawing:
