@@ -118,7 +118,11 @@ function picture(root, solve, data) {
   function lettered(still, next) {
     const gliding = names.place(still);
     if (root.dataset.hidden !== `${names.hidden}`) root.dataset.hidden = names.hidden;
-    if (next || gliding) frame = requestAnimationFrame(next || (() => lettered(calm.matches)));
+    if (!next && !gliding) return;
+    // A pose that a pointer has set is painted before the animations of its frame: this is for the next.
+    const painted = performance.now(), glide = next || (() => lettered(calm.matches));
+    const later = (time) => { if (time < painted) frame = requestAnimationFrame(later); else glide(); };
+    frame = requestAnimationFrame(later);
   }
 
   function find() {
