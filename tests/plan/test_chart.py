@@ -4,8 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from vad.plan.chart import fixed_width
+import vad
+from vad.files.examples import example_path
+from vad.plan.chart import Clock, fixed_width
+from vad.plan.format import screen
 from vad.plan.lettering.glyphs import width
+from vad.plan.marks import Lettering
+from vad.plan.turn_layout import lay_out_turn
 from vad.written import number
 
 
@@ -52,3 +57,23 @@ def test_an_axis_ends_at_a_full_turn_where_a_reading_begins_anew() -> None:
     end = "".join(run.text for run in form.bare(359.97))
     reading = "".join(run.text for run in form.runs(359.97) if run.shown)
     assert (end, reading) == ("360.0", "0.0")
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
+@pytest.mark.parametrize(
+    ("name", "language", "shorter"),
+    [("excavator-bucket", "en", "OB moves between"), ("jansen-leg", "de", "Schwungphase 192°")],
+)
+def test_the_line_above_a_mechanism_fits_its_panel(
+    name: str, language: str, shorter: str, size: tuple[int, int]
+):
+    turn = vad.turn(vad.load(example_path(name))(), size=size, language=language)
+    sheet = turn.sheet
+    names = [panel.name for panel in sheet.panels]
+    room = lay_out_turn(screen(size), names).page.panels["position"].drawing
+    texts = [m.shape for m in Clock(turn.cycle, turn.course, sheet, room).marks(0.0)]
+    last = texts[-1]
+    assert isinstance(last, Lettering)
+    assert last.at.real + width(last.runs, last.size) <= room.right
+    said = "".join(run.text for run in last.runs)
+    assert said.startswith(shorter) == (size == (960, 720))

@@ -334,7 +334,8 @@ class Clock:
     """The line above the mechanism.
 
     It has the strokes of a quick return, the stance and the swing of a foot, or the ends of a
-    driver that swings.
+    driver that swings.  On a narrow page it leaves out the lift of a foot, and names a driver by
+    its letters alone.
 
     Attributes
     ----------
@@ -344,7 +345,7 @@ class Clock:
 
     def __init__(self, cycle: Cycle, course: Course, sheet: Sheet, room: Rect) -> None:
         self._shaded, self._stands = cycle.shaded, cycle.stance is not None
-        say = Language(sheet.language).say
+        say, shorter = Language(sheet.language).say, list[str]()
         if cycle.stance:
             lift = sheet.notation.quantity(cycle.stance.lift, cycle.curves["position"].unit)
             words = [
@@ -352,6 +353,7 @@ class Clock:
                 f"{say('swing')} {_degrees(1.0 - cycle.stance.part)}",
                 f"{say('lift')} {lift}",
             ]
+            shorter = words[:2]
         elif cycle.back:
             part = cycle.back[1] - cycle.back[0]
             words = [
@@ -365,10 +367,13 @@ class Clock:
             unit, notation = cycle.place.unit, sheet.notation
             low, high = (written_end(end, unit, notation) for end in course.ends)
             words = [say(phrase, part=f"{row.title} {row.letters}", low=low, high=high)]
+            shorter = [say(phrase, part=row.letters, low=low, high=high)]
         else:
             words = []
         self.height = HEIGHT if words else 0.0
         self._texts = _set(words, room)
+        if shorter and _end(self._texts[-1]) > room.right:
+            self._texts = _set(shorter, room)
 
     def marks(self, share: float | None = None) -> list[Mark]:
         """Return the line; the stroke in which the share of the cycle lies is dark."""
@@ -377,7 +382,7 @@ class Clock:
         first, last = self._shaded
         second = ((share - first) % 1.0 < last - first) != self._stands
         roles = ("notes", "words", "notes") if second else ("words", "notes", "notes")
-        return [Mark(text, role) for text, role in zip(self._texts, roles, strict=True)]
+        return [Mark(text, role) for text, role in zip(self._texts, roles, strict=False)]
 
 
 def _set(words: list[str], room: Rect) -> list[Lettering]:
@@ -390,6 +395,10 @@ def _set(words: list[str], room: Rect) -> list[Lettering]:
         found.append(Lettering(part, complex(left, room.top - BASELINE), size))
         left += width(part, size) + SPACE * size
     return found
+
+
+def _end(text: Lettering) -> float:
+    return text.at.real + width(text.runs, text.size)
 
 
 def _degrees(share: float) -> str:
