@@ -21,7 +21,7 @@ from vad.plan.pictures.skeleton import Skeleton, angle_centre
 from vad.plan.pictures.supports import add_dimension
 from vad.plan.pictures.views import Views
 from vad.plan.reach import corners
-from vad.plan.scale import Scale, calm_scale, fill, mechanism_scale, views_scale
+from vad.plan.scale import SLACK, Scale, calm_scale, fill, mechanism_scale, views_scale
 from vad.plan.sketch import Setting, Sketch
 from vad.strokes.sheet import Panel
 
@@ -107,7 +107,8 @@ def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:
     """Return the picture of a panel over a whole turn, at one scale for all of its poses."""
     match setting.panel.picture:
         case "skeleton":
-            skeleton = Skeleton(setting, poses, mechanism_scale(setting, poses), angle=False)
+            larger = replace(setting, room=setting.room.inside(-SLACK))
+            skeleton = Skeleton(setting, poses, mechanism_scale(larger, poses), angle=False)
             for travel in skeleton.travels:
                 add_dimension(skeleton.still, *travel, skeleton.crowds)
             return skeleton
