@@ -142,7 +142,7 @@ def test_two_lines_of_an_equation_part_at_its_equality():
         "p′ by the acceleration image of the coupler: b′p′ = b′c′·BP/BC = 3389.2 × 20/40 = "
         "1695 mm/s²; a′p′ = 1386 mm/s², the acceleration of P."
     )
-    for room in range(1090, 1120, 5):
+    for room in range(850, 1120, 10):
         lines = ["".join(r.text for r in line) for line in wrap((TextPiece(text),), 28.0, room)]
         assert len(lines) == 2
         assert not lines[1].startswith("×")
