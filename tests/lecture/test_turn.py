@@ -52,6 +52,21 @@ def test_what_cannot_go_round_swings_within_its_range(mechanism):
     assert not any(c.given for r in turn.pose(3).rows for cells in r.cells.values() for c in cells)
 
 
+@pytest.mark.parametrize("mechanism", [vad.GateActuator(), vad.FourBar(crank=130)])
+def test_a_driver_that_swings_rests_at_the_ends(mechanism):
+    """Rounding noise would be drawn as a polygon, at a scale of its own."""
+    turn = vad.turn(mechanism)
+    _, rate, second = mechanism.inputs
+    for half, place in enumerate(turn.course.ends):
+        end, middle = (turn.course.inputs(turn.opening + (half + k) / 2) for k in (0.0, 0.5))
+        assert [end[rate], middle[second]] == [0.0, 0.0]
+        assert math.copysign(1.0, end[rate]) == 1.0
+        assert end[next(iter(end))] == pytest.approx(place)
+        sheet = vad.draw(vad.solve(mechanism, **end))
+        assert [stroke.name for stroke in sheet.panel("velocity").strokes] == ["pole"]
+        assert len(sheet.panel("acceleration").strokes) > 5
+
+
 def test_a_place_outside_the_range_begins_at_its_end():
     turn = vad.turn(vad.solve(vad.FourBar(crank=130), angle=0.0), fps=2)
     assert turn.pose(0).panels

@@ -34,6 +34,8 @@ if TYPE_CHECKING:
 
 #: How far a swing keeps away from the dead centre at either end, as a share of its range.
 KEPT = 0.03
+#: A sine or cosine of a swing below this is none but for rounding: the driver rests at the ends.
+ROUNDED = 1e-12
 #: The speed of a swing is the given rate over the sine of the given phase.  The sine counts as no
 #: less than this, or a place near the end of the swing would make the speed too large.
 LEAST = 0.3
@@ -70,17 +72,10 @@ class Course:
         angle = start + math.tau * phase
         # Rates of an angle count in radians.
         size = math.radians(half) if self.names[0] == "angle" else half
-        return dict(
-            zip(
-                self.names,
-                (
-                    middle + half * math.cos(angle),
-                    -size * speed * math.sin(angle),
-                    -size * speed**2 * math.cos(angle),
-                ),
-                strict=True,
-            )
-        )
+        waves = math.cos(angle), math.sin(angle)
+        cosine, sine = (0.0 if abs(each) < ROUNDED else each for each in waves)
+        values = middle + half * cosine, -size * speed * sine, -size * speed**2 * cosine
+        return dict(zip(self.names, (each + 0.0 for each in values), strict=True))  # no -0.0
 
     @property
     def opening(self) -> float:
