@@ -52,6 +52,7 @@ def test_its_words(name):
     text = example_path(name).read_text("utf-8")
     words = tomllib.loads(text)
     assert {"title", "about", "source"} <= set(words)
+    assert "'" not in words["title"]  # it is set in large type
     assert words["about"].endswith(".")
     assert max(map(len, text.splitlines())) <= 110
 
