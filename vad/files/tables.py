@@ -61,7 +61,7 @@ _BARE = re.compile(r"=\s*([-+]?[\d.]+ *(?:[^\W\d_]|°)[^\s,}]*|[A-Za-z][\w/*]*)\
 SHEET = "sheet"
 _OF_SHEETS = "vad solve, vad draw and vad batch read it"
 _WORDS_AS_KEY = re.compile(r"\s*([A-Za-z]\w*(?:[ \t]+\w+)+)\s*=")
-_PLACE = re.compile(r"(.*) \(at (?:line (\d+), column \d+|end of document)\)", re.DOTALL)
+_PLACE = re.compile(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", re.DOTALL)
 _QUOTED = re.compile(r"""(["']).*?\1""")
 
 
@@ -249,8 +249,12 @@ def parsed(text: str, name: str) -> Source:
         words = _WORDS_AS_KEY.match(line)
         if words:
             hint = f"a name is one word, as in {'_'.join(words[1].split())}"
-        message = f"{name}, line {number}: {said[:1].lower()}{said[1:]}"
-        raise InputError(message, hint) from None
+        detail = f"{said[:1].lower()}{said[1:]}"
+        if place and place[3]:
+            message = f"is no TOML from column {place[3]} on: {detail}"
+        else:
+            message = f"is no TOML at its end: {detail}"
+        raise InputError(f"{name}, line {number}: {message}", hint) from None
     return Source(name, {"": tables}, _lines(text), text)
 
 

@@ -1241,6 +1241,13 @@ ERRORS = {
         "ein Fehler im Programm; das Terminal zeigt, wo"
     ),
     "{file}, line {line}": "{file}, Zeile {line}",
+    "is no TOML from column {column} on: {detail}": "ist ab Spalte {column} kein TOML: {detail}",
+    "is no TOML at its end: {detail}": "ist am Ende kein TOML: {detail}",
+    "is nested too deep": "ist zu tief verschachtelt",
+    "has a number of more than {count} digits": "hat eine Zahl mit mehr als {count} Ziffern",
+    "write it as {number}": "schreibe sie wie {number}",
+    'text stands in quotes: "{text}"': 'Text steht in Anführungszeichen: "{text}"',
+    "a name is one word, as in {name}": "ein Name ist ein einziges Wort wie {name}",
     "did you mean {names}?": "ist {names} gemeint?",
     "known: {names}": "bekannt: {names}",
     "as in {example}": "wie in {example}",

@@ -1223,6 +1223,15 @@ ERRORS = {
         "une erreur du programme ; le terminal montre où"
     ),
     "{file}, line {line}": "{file}, ligne {line}",
+    "is no TOML from column {column} on: {detail}": (
+        "n’est plus du TOML à partir de la colonne {column} : {detail}"
+    ),
+    "is no TOML at its end: {detail}": "n’est plus du TOML à la fin : {detail}",
+    "is nested too deep": "est trop profondément imbriqué",
+    "has a number of more than {count} digits": "a un nombre de plus de {count} chiffres",
+    "write it as {number}": "écrivez-le comme {number}",
+    'text stands in quotes: "{text}"': 'un texte est entre guillemets : "{text}"',
+    "a name is one word, as in {name}": "un nom est un seul mot, comme dans {name}",
     "did you mean {names}?": "est-ce {names} ?",
     "known: {names}": "connus : {names}",
     "as in {example}": "comme dans {example}",
