@@ -107,8 +107,10 @@ def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:
     """Return the picture of a panel over a whole turn, at one scale for all of its poses."""
     match setting.panel.picture:
         case "skeleton":
-            larger = replace(setting, room=setting.room.inside(-SLACK))
-            skeleton = Skeleton(setting, poses, mechanism_scale(larger, poses), angle=False)
+            room = setting.room
+            wider = replace(room, left=room.left - SLACK, right=room.right + SLACK)
+            scale = mechanism_scale(replace(setting, room=wider), poses)
+            skeleton = Skeleton(setting, poses, scale, angle=False)
             for travel in skeleton.travels:
                 add_dimension(skeleton.still, *travel, skeleton.crowds)
             return skeleton

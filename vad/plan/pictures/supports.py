@@ -394,7 +394,7 @@ def add_dimension(
         along = [start + away + (end - start) * step / 8 for step in range(9)]
         own = Obstacles(setting.room)
         own.line(along, PIXEL)
-        return bool(own.free([centre], *box, 0.0)[0]) and all(
+        return bool(own.free([centre], *box, GAP / 2)[0]) and all(
             pose.free([centre], *box, PIXEL)[0] and pose.free(along, 0.0, 0.0, TICK).all()
             for pose in sampled
         )
