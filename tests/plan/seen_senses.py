@@ -11,22 +11,26 @@ import cmath
 import itertools
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from tests.plan.test_table import ink_box
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
-from vad.plan.items import Item
+from vad.plan.items import RESULTS, Item, Level
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lettering.runs import plain
-from vad.plan.marks import Bow, Lettering, Polygon
+from vad.plan.marks import Bow, Lettering, Polygon, Polyline
 from vad.plan.pictures.senses import found_senses, senses_of
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Arrow, Plate
+from vad.written import with_unit
 
 #: An arrow farther from its link is not seen to be of it.
 FAR = 56.0 * PIXEL
-#: Nearer to a stroke, an arrow or an arc touches it.
-TOUCHES = 2.5 * PIXEL
+#: Nearer to a stroke, an arrow or an arc touches it; and lies on it.
+TOUCHES, ON = 2.5 * PIXEL, 0.5 * PIXEL
+#: Farther from its arrow, a name is looked for.
+NAMED = 12.0 * PIXEL
 #: Two arrows point opposite ways if the cosine between their directions is below this.
 OPPOSITE = -0.7
 
@@ -36,6 +40,9 @@ LEAST_SPAN = 29.0
 ALIKE = 0.85
 #: An arc of which a smaller share is left, or more pieces, no longer reads as an angle.
 LEAST_SHARE, MOST_PIECES = 0.6, 3
+
+#: Keys of rows in both halves of a table are level, but for so much.
+SAME = 0.005
 
 Bar = tuple[complex, complex]
 
@@ -48,6 +55,7 @@ class Seen:
     row: int | None
     bow: Bow
     tip: complex
+    boxes: tuple[Rect, ...] = ()
 
     @property
     def line(self) -> list[complex]:
@@ -87,15 +95,39 @@ def arrows(items: Iterator[Item]) -> list[Seen]:
         heads = [mark.shape for mark in item.marks if mark.role == "head"]
         texts = [mark.shape for mark in item.marks if isinstance(mark.shape, Lettering)]
         names = tuple(plain(text.runs).removeprefix(", ") for text in texts)
+        boxes = tuple(Rect(*ink_box(text)) for text in texts)
         if bows and isinstance(bows[0].shape, Bow) and isinstance(heads[0], Polygon):
-            found.append(Seen(names, bows[0].row, bows[0].shape, heads[0].rings[0][0]))
-        elif found and item.level == 7:
-            found[-1] = Seen((*found[-1].names, *names), *_rest(found[-1]))
+            found.append(Seen(names, bows[0].row, bows[0].shape, heads[0].rings[0][0], boxes))
+        elif found and item.level == Level.LABEL:
+            last = found[-1]
+            found[-1] = replace(last, names=last.names + names, boxes=last.boxes + boxes)
     return found
 
 
-def _rest(seen: Seen) -> tuple[int | None, Bow, complex]:
-    return seen.row, seen.bow, seen.tip
+def turns_told(board: Plan) -> set[tuple[str, float]]:
+    """Return the symbols of the rates whose senses stand in the table, with their signs."""
+    items = (item for item in board.shown(board.finished) if item.region == RESULTS)
+    marks = [mark for item in items for mark in item.marks]
+    keys = [
+        (m.row, m.shape.pieces[0][0])
+        for m in marks
+        if isinstance(m.shape, Polyline) and m.row is not None
+    ]
+    found = set()
+    for text in (mark.shape for mark in marks if isinstance(mark.shape, Lettering)):
+        number, _, turn = plain(text.runs).partition("\N{NO-BREAK SPACE}")
+        sign = {"↺": 1.0, "↻": -1.0}.get(turn, 0.0)
+        if sign:
+            # Its row is that of the next key above it, on its left.
+            left = [(at.imag, at.real, row) for row, at in keys if at.real < text.at.real]
+            next_one = min(y for y, *_ in left if y > text.at.imag)
+            _, number_of = max((x, row) for y, x, row in left if 0.0 <= y - next_one < SAME)
+            row = board.sheet.rows[number_of]
+            for cell in (cell for cells in row.cells.values() for cell in cells):
+                said, unit = board.sheet.notation.cell(cell.value, cell.unit, cell.given)
+                if number in (said, with_unit(said, unit)) and cell.value * sign > 0.0:
+                    found.add((cell.symbol, sign))
+    return found
 
 
 def skeleton_of(board: Plan) -> Sketch | None:
@@ -154,12 +186,14 @@ def faults(board: Plan) -> Iterator[tuple[str, str]]:
         return
     shown = arrows(iter([*sketch.items, *found_senses(board.sketches)]))
     named = {name for each in shown for text in each.names for name in text.split(", ")}
-    rows = [row.key for row in board.sheet.rows]
+    rows, told = [row.key for row in board.sheet.rows], turns_told(board)
+    for symbol, _ in told:
+        yield "on the link and in the table" if symbol in named else "in the table", symbol
     for row in board.sheet.rows:
         if bars_of(sketch, rows.index(row.key)):
             for sense in senses_of(board.sketches, row):
                 for symbol, *_ in sense.names:
-                    if symbol not in named:
+                    if symbol not in named and (symbol, sense.sign) not in told:
                         yield "missing", symbol
     for each in shown:
         yield from _of_place(sketch, each, len(rows))
@@ -169,17 +203,29 @@ def faults(board: Plan) -> Iterator[tuple[str, str]]:
                 yield "alike", f"{one.names} {other.names}"
             if abs(one.bow.centre - other.bow.centre) > PIXEL:
                 yield "about two ends", f"{one.names} {other.names}"
+    for one, other in itertools.permutations(shown, 2):
+        own, strange = (_from_names(one, each) for each in (one, other))
+        if own >= strange - PIXEL:
+            yield "name nearer to another", f"{one.names} {other.names}"
+    for each in shown:
+        if _from_names(each, each) > NAMED:
+            yield "name far off", f"{each.names}"
     yield from _of_angles(sketch)
+
+
+def _from_names(one: Seen, other: Seen) -> float:
+    """Return how far the names of an arrow are from this or another one."""
+    return min((_distance(b, z) for b in one.boxes for z in other.line), default=0.0)
 
 
 def _of_place(sketch: Sketch, each: Seen, rows: int) -> Iterator[tuple[str, str]]:
     own = bars_of(sketch, each.row)
     name = ", ".join(each.names)
     if own:
-        if nearest(each.middle, own) > FAR:
+        if nearest(each.halfway, own) > FAR:
             yield "far", name
         others = [bar for row in range(rows) if row != each.row for bar in bars_of(sketch, row)]
-        if nearest(each.middle, others) < nearest(each.middle, own) - PIXEL:
+        if nearest(each.halfway, others) < nearest(each.halfway, own) - PIXEL:
             yield "nearer to another", name
         ends = (each.bow.line()[0], each.tip)
         if any(nearest(end, own) < 8.0 * PIXEL for end in ends):
@@ -201,12 +247,12 @@ def _of_place(sketch: Sketch, each: Seen, rows: int) -> Iterator[tuple[str, str]
         if not any(off(start, bar) < 0.004 and off(end, bar) < 0.004 for bar in own)
         and not _within(each, start, end)
     ]
-    if any(
-        off(spot, (start, end)) < half + TOUCHES
-        for spot in each.line
-        for start, end, half in strokes
-    ):
-        yield "on a stroke", name
+    least = min(
+        (off(spot, (start, end)) - half for spot in each.line for start, end, half in strokes),
+        default=math.inf,
+    )
+    if least < TOUCHES:
+        yield "on a stroke" if least < ON else "close to a stroke", name
 
 
 def _within(each: Seen, start: complex, end: complex) -> bool:
@@ -238,7 +284,8 @@ def _of_angles(sketch: Sketch) -> Iterator[tuple[str, str]]:
             continue
         pieces = [mark.shape for mark in marks if isinstance(mark.shape, Bow)]
         whole = math.radians(abs(stroke.shape.sweep)) * radius
-        if len(pieces) > MOST_PIECES or sum(each.length for each in pieces) < LEAST_SHARE * whole:
+        left = sum(each.length for each in pieces)
+        if len(pieces) > MOST_PIECES or left < LEAST_SHARE * whole:
             yield "in crumbs", stroke.label
         first, last = spots[0], spots[-1]
         inner = [z for z in spots if min(abs(z - first), abs(z - last)) > 0.016]
@@ -247,7 +294,8 @@ def _of_angles(sketch: Sketch) -> Iterator[tuple[str, str]]:
             for z in inner
             for start, end, half, _ in strokes
         ):
-            yield "arc crosses", stroke.label
+            beneath = len(pieces) == 1 and left > 0.999 * whole
+            yield "arc beneath the links" if beneath else "arc crosses", stroke.label
         value = next((tag.box for tag in sketch.tags if tag.text == stroke.label), None)
         if value and min(_distance(value, z) for z in spots) > 20.0 * PIXEL:
             yield "value far from arc", stroke.label

@@ -40,6 +40,7 @@ from vad.plan.marks import line
 from vad.plan.page.changing import caption_lines, figure_of, measuring
 from vad.plan.page.heads import APART, REMARK_SIZE, TITLE, Piece, compose
 from vad.plan.page.quarter import SIZE as ENTRY
+from vad.plan.page.quarter import turn_sign
 from vad.plan.page.table import CLEAR, EQUALS, VALUES, Columns, alike
 from vad.plan.page.table import table as laid_out
 from vad.plan.scale import bar
@@ -456,7 +457,8 @@ def _cell(cell: Cell, reading: Runs, words: RunWriter) -> str:
 
 def _reading(plan: Plan, cell: Cell, bare: bool = False) -> Runs:
     number, unit = plan.sheet.notation.cell(cell.value, cell.unit, cell.given)
-    return roman("= " + with_unit(number, "" if bare else unit).replace(" ", "\u00a0"))
+    read = with_unit(number, "" if bare else unit) + turn_sign(plan.turns, cell)
+    return roman("= " + read.replace(" ", "\u00a0"))
 
 
 def _has_given(rows: tuple[Row, ...]) -> bool:

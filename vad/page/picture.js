@@ -135,7 +135,7 @@ function picture(root, solve, data) {
   const cells = data.cells.flatMap(([row, column, at, place, factor, units, given]) => {
     const element = tables[row]?.[column]?.querySelectorAll(".cell")[at];
     if (!element) return [];
-    const said = element.textContent.replaceAll("\u00a0", " ");
+    const said = element.textContent.replaceAll("\u00a0", " ").replace(/ [↺↻]$/, "");
     return [{ element, place, factor, units, given, bare: !said.endsWith(units.replace("²", "2")) && !said.endsWith(units), text: document.createTextNode("") }];
   });
 

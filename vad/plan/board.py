@@ -46,12 +46,14 @@ from vad.plan.pictures import sketched
 from vad.plan.pictures.dimming import Dimming, dimmings
 from vad.plan.pictures.flights import travelling, turned_polygons
 from vad.plan.pictures.found import found_later
+from vad.plan.pictures.roomless import roomless
 from vad.plan.pictures.senses import found_senses
 from vad.plan.pictures.senses_in_views import senses_in_views
 from vad.plan.pictures.views import folds
 from vad.plan.reach import corners, extent
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
+from vad.strokes.diagram import POSITION
 from vad.strokes.sheet import Panel, Sheet
 from vad.strokes.telling import telling
 from vad.strokes.travel import Travel
@@ -95,6 +97,9 @@ class Plan:
         The panels with their scales, labels and obstacles, by their names.
     dimmed
         What is pale at some beats of a film.
+    turns
+        The signs of the rates that have no clear room for an arrow on the mechanism, by their
+        symbols: a round arrow stands behind their numbers.
     """
 
     sheet: Sheet
@@ -104,6 +109,7 @@ class Plan:
     items: tuple[Item, ...]
     sketches: Mapping[str, Sketch]
     dimmed: Mapping[int, Dimming] = field(default_factory=dict)
+    turns: Mapping[str, float] = field(default_factory=dict)
 
     def shown(self, beat: int) -> list[Item]:
         """Return the items that show at a beat, in painting order."""
@@ -172,17 +178,19 @@ def plan(
         sketches |= column(sheet, panel, page.panels[panel.name].drawing, form, scales)
     regions = regions_of(page)
     items = [*pictures(sketches, regions[FLIGHT], travels), *found_senses(sketches)]
+    turns = roomless(sketches, (item for item in items if item.region == POSITION.panel))
     if words:
         items += [
             Item("", TITLE, Level.GROUND, tuple(title_marks(sheet, page))),
             *heads(sheet, page, sketches),
             *equations(sheet, page, feet, sketches),
             *(readings(page, feet, sketches) if form.centimetre else ()),
-            *results(sheet, page, sketches, key, lesson),
+            *results(sheet, page, sketches, key, lesson, turns),
             *(captions(sheet, page, sketches, answer(sheet)) if lesson else ()),
         ]
     shown = tuple(in_painting_order(items, regions))
-    return Plan(sheet, form, page, regions, shown, sketches, dimmings(items, sketches, travels))
+    dimmed = dimmings(items, sketches, travels)
+    return Plan(sheet, form, page, regions, shown, sketches, dimmed, turns)
 
 
 def column(

@@ -92,7 +92,7 @@ def problem(key: Plan, blank: Blank, line: float, task: str | None = "") -> Plan
         if (each.region, each.stroke) not in lost
         if (shown := _without_answer(each, key, blank, answers))
     ]
-    cells = table(key.sheet, key.page, line).cells
+    cells = table(key.sheet, key.page, line, turns=key.turns).cells
     for name in key.page.panels:
         for index, row in enumerate(key.sheet.rows):
             by = measurer(key.sheet, key.sheet.panel(name), row)

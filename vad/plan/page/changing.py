@@ -100,10 +100,18 @@ def readings(
 
 
 def results(
-    sheet: Sheet, page: Page, sketches: Mapping[str, Sketch], key: float, lesson: bool
+    sheet: Sheet,
+    page: Page,
+    sketches: Mapping[str, Sketch],
+    key: float,
+    lesson: bool,
+    turns: Mapping[str, float],
 ) -> Iterator[Item]:
-    """Yield the results: what is given at once, the rest as its stroke measures it."""
-    entries = table(sheet, page, key)
+    """Yield the results: what is given at once, the rest as its stroke measures it.
+
+    ``turns`` are the rates whose senses stand behind their numbers.
+    """
+    entries = table(sheet, page, key, turns=turns)
     yield Item("", RESULTS, Level.GROUND, tuple(entries.frame()))
     for panel in sheet.panels:
         for index, row in enumerate(sheet.rows):

@@ -6,8 +6,8 @@ The rows of a sheet become entries in columns, whose heads have the units.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from vad.plan.geometry import Rect
@@ -33,6 +33,10 @@ NAME_GAP = 0.0125
 KEY_RISE = 0.0068
 GIVEN_SIZE = 0.028
 DROP = 0.006  # of a line to write on, below the baseline
+
+#: Round arrows behind the numbers of rates.
+ANTICLOCKWISE = "\N{ANTICLOCKWISE OPEN CIRCLE ARROW}"
+CLOCKWISE = "\N{CLOCKWISE OPEN CIRCLE ARROW}"
 
 _WHOLE = re.compile(rf"[{MINUS}\d{THIN_SPACE}]*")
 
@@ -240,11 +244,9 @@ class Quarter:
     def _written(self, cell: Cell, row: Row, name: str) -> Runs:
         """Return the number of a cell, with its unit where the head has another one."""
         runs, unit = self._entries.figures(cell), self._entries.unit(cell)
-        return (
-            runs
-            if unit == self._unit(self._group(row), name)
-            else runs + roman(with_unit("", unit))
-        )
+        if unit != self._unit(self._group(row), name):
+            runs += roman(with_unit("", unit))
+        return runs + self._entries.turn(cell)
 
     def _unit(self, group: list[Row], name: str) -> str:
         """Return the unit in the head of a column: that of what is found, if anything is."""
@@ -316,6 +318,12 @@ def after_point(runs: Runs, size: float) -> float:
     return width(runs, size) - width((whole,), size)
 
 
+def turn_sign(turns: Mapping[str, float], cell: Cell) -> str:
+    """Return a round arrow that stands behind the number of a rate; nothing if none is to."""
+    sign = turns.get(cell.symbol, 0.0)
+    return f"\N{NO-BREAK SPACE}{ANTICLOCKWISE if sign > 0.0 else CLOCKWISE}" if sign else ""
+
+
 @dataclass(frozen=True, slots=True)
 class Entry:
     """A cell on the page: its symbol, its number, and the room in which that may be written."""
@@ -343,12 +351,14 @@ class Entries:
     """The rows of a sheet, the length of a key, and what sets a number in type.
 
     ``numbers`` says whether the number of a link stands behind its name, not in every symbol.
+    ``turns`` are the signs of the rates whose senses stand behind their numbers, by their symbols.
     """
 
     sheet: Sheet
     key: float
     figures: Figures
     numbers: bool
+    turns: Mapping[str, float] = field(default_factory=dict)
 
     def name(
         self,
@@ -395,6 +405,10 @@ class Entries:
     def role(self, cell: Cell) -> Literal["notes", "words"]:
         """Return the role of a cell's type: given values are grey."""
         return "notes" if cell.given else "words"
+
+    def turn(self, cell: Cell) -> Runs:
+        """Return the sense of a rate that has no arrow on its link."""
+        return roman(turn_sign(self.turns, cell))
 
     def unit(self, cell: Cell) -> str:
         """Return the unit in which a cell's number is written."""

@@ -6,7 +6,8 @@ side, the values of a panel stand beneath it, or many rows stand in two halves.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Protocol
 
 from vad.plan.geometry import Rect
@@ -52,13 +53,19 @@ class Table(Protocol):
         """Return what row number ``index`` shows for a panel; in bold where it is ``new``."""
 
 
-def table(sheet: Sheet, page: Page, key: float, setting: Figures | None = None) -> Table:
+def table(
+    sheet: Sheet,
+    page: Page,
+    key: float,
+    setting: Figures | None = None,
+    turns: Mapping[str, float] = MappingProxyType({}),
+) -> Table:
     """Return the results of a sheet, laid out as the page has room for them.
 
     ``key`` is the length of the line before a row's name; ``setting`` sets its numbers in type, if
-    the sheet's own notation does not.
+    the sheet's own notation does not; ``turns`` are the rates whose senses stand in it.
     """
-    entries = Entries(sheet, key, setting or figures(sheet), page.results is not None)
+    entries = Entries(sheet, key, setting or figures(sheet), page.results is not None, turns)
     if page.results is None:
         return Columns(entries, page)
     kind = Halves if page.columns else Quarter
@@ -245,7 +252,8 @@ class Columns:
 
     def _reading(self, cell: Cell, bare: bool) -> Runs:
         unit = with_unit("", self._entries.unit(cell))
-        return self._entries.figures(cell) + (() if bare else roman(unit))
+        written = self._entries.figures(cell) + (() if bare else roman(unit))
+        return written + self._entries.turn(cell)
 
 
 def alike(cells: Sequence[Cell], panel: str, rows: Sequence[Row]) -> bool:

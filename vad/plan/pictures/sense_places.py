@@ -1,8 +1,8 @@
 """Where the arc arrows of ω and α of a link stand: about one end of it, on nothing.
 
 An arrow runs across its link, or lies near the end about which it turns.  Two arrows of opposite
-senses stand side by side about one end, so that they point opposite ways.  A name far from its
-arrow has a leader.
+senses stand side by side about one end, so that they point opposite ways.  A name is nearer to its
+own arrow than to any other.
 """
 
 from __future__ import annotations
@@ -17,7 +17,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import PIXEL, Bools, Complexes, Integers, Obstacles, Reals
 from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
 from vad.plan.lettering.glyphs import ink_size
@@ -38,6 +37,11 @@ BESIDE = (
     (0.034, 90.0),
     (0.028, 100.0),
     (0.066, 56.0),
+    (0.074, 50.0),
+    (0.058, 46.0),
+    (0.050, 54.0),
+    (0.042, 62.0),
+    (0.074, 36.0),
     (0.110, 46.0),
     (0.130, 38.0),
     (0.155, 32.0),
@@ -53,25 +57,15 @@ ON, OFF = (0.0, 0.12, -0.12, 0.24, -0.24), tuple(range(-180, 180, 12))
 SHARES = np.linspace(-0.5, 0.5, 13)
 #: The sizes of a name.
 LETTERS = (0.030, 0.028)
-#: From the arrow to its name, and to other strokes; less where there is no room else.
-NAMED, CLEAR, NEAR = (0.007, 0.014), 0.007, 0.003
-#: Between labels where there is no room else.
-TIGHT = 0.010 + 0.005j
+#: From an arrow to its name, to other strokes, and to the names of others.
+NAMED, CLEAR, STRANGERS = (0.007, 0.010), 0.007, 0.013
 #: An arrow ends at least so far from its own link, and its middle lies at most so far from it.
-ENDS, FARTHEST = 0.011, 0.066
-#: A stroke with a smaller half width is a thin grey one: an axis, an arc, a leader.
-THIN = 0.0015
+ENDS, FARTHEST = 0.012, 0.075
 #: The cosine between two directions that are seen to be opposite.
 AGAINST = -0.85
-#: How much worse an arrow is beside its link, beyond both ends, nearer to another link, about an
-#: end that is not fixed where the other one is, with small letters, and with a leader.
-ASIDE, FAR_END, STRANGE, LOOSE, SMALL, LED = 1.0, 1.5, 4.0, 1.5, 0.3, 3.0
-#: Of a leader: its lengths, its directions, from the arrow to its start, from its end to the name,
-#: and to how many arrows one is tried.
-LEADERS, FAN = (0.025, 0.045, 0.070, 0.100, 0.130), np.exp(2j * np.pi * np.arange(16) / 16)
-START, GAP, LED_ARROWS = 0.008, 0.005, 24
-#: So much of a leader lies at most on the stroke that it crosses, where every one crosses some.
-ONE_STROKE = 0.016
+#: How much worse an arrow is beside its link, beyond both ends, about an end that is not fixed
+#: where the other one is, and with small letters.
+ASIDE, FAR_END, LOOSE, SMALL = 1.0, 1.5, 1.5, 0.3
 #: So many arrows are looked at together, and so many of one sense are tried with one of the other.
 AT_ONCE, MOST_PAIRS = 16, 40
 #: What lies so near the axis of a link belongs to it.
@@ -80,7 +74,7 @@ _OWN = 0.004
 
 @dataclass(frozen=True, slots=True)
 class SensePlace:
-    """Where an arrow stands: its centre, radius, span and middle, its name, and a leader to it."""
+    """Where an arrow stands: its centre, radius, span and middle, and its name."""
 
     centre: complex
     radius: float
@@ -102,11 +96,9 @@ class SensePlace:
         return sign * 1j * np.exp(1j * math.radians(self.middle))  # type: ignore[no-any-return]
 
     def block(self, obstacles: Obstacles) -> None:
-        """Let what is placed later keep clear of the arrow, its name and its leader."""
-        obstacles.box(self.name.box)
+        """Let what is placed later keep clear of the arrow and of its name."""
+        obstacles.box(self.name.box.inside(CLEAR - STRANGERS))
         obstacles.line(self.line, 2.0 * PIXEL)
-        if self.name.leader:
-            obstacles.line(self.name.leader, PIXEL)
 
 
 class _Arrows(NamedTuple):
@@ -147,9 +139,6 @@ class Places:
         pivot, or beyond another joint, where both see it turn alike.  Without pivots it stands
         about any joint.  Its middle is nearer to its centre than to any of them outside of its
         circle.
-    thin
-        Arrows may cross strokes with smaller half widths; if there are such, they may stand nearer
-        to what else there is.
     farthest
         How far from the link the middle of an arrow lies at most.
     """
@@ -160,33 +149,15 @@ class Places:
     pivots: Sequence[complex]
     joints: Sequence[complex]
     ends: Sequence[complex]
-    thin: float = 0.0
     farthest: float = FARTHEST
 
     def find(
-        self,
-        taken: Obstacles,
-        senses: Sequence[tuple[float, str]],
-        there: tuple[complex, complex] | None = None,
+        self, taken: Obstacles, senses: Sequence[tuple[float, str]]
     ) -> list[SensePlace | None]:
         """Return the places of one or two arrows, given by sign and name; None without room.
 
-        Parameters
-        ----------
-        taken
-            What is drawn by now: first what was ``drawn``, then what came later.
-        senses
-            The arrows.
-        there
-            The centre and the direction of an arrow of the link that stands already, of the other
-            sense.
+        By now there is what is ``taken``: first what was ``drawn``, then what came later.
         """
-        if len(senses) == 1 and there:
-            (sense,) = senses
-            for together in (True, False):
-                found = self._against(taken, there, sense, together)
-                if found:
-                    return [found]
         if len(senses) != 2:
             return [next(self.of(taken, *sense), None) for sense in senses]
         one, other = senses
@@ -231,47 +202,21 @@ class Places:
             good &= clear
         return next(self.of(taken, *sense, good), None)
 
-    @property
-    def _clear(self) -> float:
-        return NEAR if self.thin else CLEAR
-
-    @property
-    def _margin(self) -> float:
-        return NEAR if self.thin else CLEARANCE
-
-    @property
-    def _apart(self) -> complex:
-        return TIGHT if self.thin else APART
-
     def of(
         self, taken: Obstacles, sign: float, name: str, good: Bools | None = None
     ) -> Iterator[SensePlace]:
-        """Yield the places of an arrow and its name, the best first, those with a leader last."""
-        costs = self.costs + 0.1 * (self._arrows.sides * sign < 0.0)
+        """Yield the places of an arrow and its name, the best first."""
+        costs = self._arrows.costs + 0.1 * (self._arrows.sides * sign < 0.0)
         left = np.flatnonzero(self.apt if good is None else self.apt & good)
         order = left[np.argsort(costs[left], kind="stable")]
-        bare = []
         for number in self._clear_of(taken, order):
             found = self._named(taken, number, sign, name, float(costs[number]))
             if found:
                 yield found
-            else:
-                bare.append(number)
-        crossing: list[SensePlace] = []
-        for number in bare[:LED_ARROWS]:
-            cost = float(costs[number])
-            while crossing and crossing[0].cost <= cost + LED:  # each round yields one
-                yield crossing.pop(0)
-            led = self._led(taken, number, name, cost)
-            if led and led.cost > cost + LED:
-                crossing.append(led)
-            elif led:
-                yield led
-        yield from crossing
 
     def _clear_of(self, taken: Obstacles, order: Integers) -> Iterator[int]:
         """Yield those of some arrows that meet nothing, and no label."""
-        new = Obstacles(taken.edge, taken.lines[len(self.drawn.lines) :])
+        new = self._placed(taken)
         first, count = 0, AT_ONCE
         while first < len(order):  # each round looks at the next ones
             some = order[first : first + count]
@@ -279,9 +224,9 @@ class Places:
             some = some[self._free(some)]
             lines = self.lines[some]
             strokes = np.stack([lines[:, :-1], lines[:, 1:]], axis=-1)
-            bare = taken.clear_of_labels(strokes, self._clear).reshape(strokes.shape[:2])
+            bare = taken.clear_of_labels(strokes, CLEAR).reshape(strokes.shape[:2])
             clear: Bools = np.asarray(bare.all(axis=1))
-            clear[clear] = _all_free(new, lines[clear], self._clear + 2.0 * PIXEL)
+            clear[clear] = _all_free(new, lines[clear], CLEAR + 2.0 * PIXEL)
             yield from some[clear].tolist()
 
     def _free(self, some: Integers) -> Bools:
@@ -290,67 +235,41 @@ class Places:
         new = some[~asked[some]]
         asked[new] = True
         for step in (len(SHARES) - 1, 1):  # most meet something at an end
-            new = new[_all_free(self._foreign, self.lines[new, ::step], self._clear)]
+            new = new[_all_free(self._foreign, self.lines[new, ::step], CLEAR)]
         free[new] = True
         return free[some]
 
     def _named(
         self, taken: Obstacles, number: int, sign: float, name: str, cost: float
     ) -> SensePlace | None:
-        own = Obstacles(taken.edge)
+        own, others = Obstacles(taken.edge), self._placed(taken)
         own.line(self.lines[number].tolist(), 2.0 * PIXEL)
         for letter in LETTERS:
             wide, high = ink_size(symbols(name), letter)
             spots = list(self._spots(number, sign, wide, high))
-            clear = taken.free(spots, wide, high, self._margin, self._apart)
-            if clear.any():
-                clear &= own.free(spots, wide, high, 2.0 * PIXEL)
+            clear = taken.free(spots, wide, high, CLEARANCE, APART)
+            for lines, margin in ((own, 2.0 * PIXEL), (others, STRANGERS)):
+                if clear.any():
+                    clear &= lines.free(spots, wide, high, margin)
             if clear.any():
                 placed = Placed(spots[int(clear.argmax())], wide, high)
                 return self._place(number, placed, letter, cost + SMALL * (letter < LETTERS[0]))
         return None
 
+    def _placed(self, taken: Obstacles) -> Obstacles:
+        """Return the arrows that were placed after what was ``drawn``."""
+        return Obstacles(taken.edge, taken.lines[len(self.drawn.lines) :])
+
     def _spots(self, number: int, sign: float, wide: float, high: float) -> Iterator[complex]:
-        """Yield places of a name: outside of the arrow, inside, and behind its tail."""
+        """Yield places of a name: outside of the arrow, inside, behind its tail, before its tip."""
         at, radius = complex(self._arrows.centres[number]), float(self._arrows.radii[number])
         middle, span = float(self._arrows.middles[number]), float(self._arrows.spans[number])
         for gap, side, turn in itertools.product(NAMED, (1, -1), (0.0, -0.4, 0.4, -0.2, 0.2)):
             out = cmath.rect(1.0, math.radians(middle + sign * turn * span))
             yield beside(at + radius * out, side * out, gap, wide, high)
-        tail = cmath.rect(1.0, math.radians(middle - sign * 0.5 * span))
-        for gap in NAMED:
-            yield beside(at + radius * tail, -sign * 1j * tail, gap, wide, high)
-
-    def _led(self, taken: Obstacles, number: int, name: str, cost: float) -> SensePlace | None:
-        """Return an arrow whose name stands far off, with a leader that crosses nothing."""
-        wide, high = ink_size(symbols(name), LETTERS[0])
-        line = self.lines[number]
-        own = Obstacles(taken.edge)
-        own.line(line.tolist(), 2.0 * PIXEL)
-        starts = line[[2, -3, len(line) // 2]]
-        # Rows are leaders, by length, start and direction: the shortest first.
-        rows = len(LEADERS) * len(starts)
-        ways: Complexes = np.tile(FAN, rows)
-        feet = np.tile(np.repeat(starts, len(FAN)), len(LEADERS)) + START * ways
-        ends: Complexes = feet + np.repeat(LEADERS, len(starts) * len(FAN)) * ways
-        spots = ends + np.tile([beside(0j, way, GAP, wide, high) for way in FAN.tolist()], rows)
-        near = taken.near(_around(spots, wide + FARTHEST, high + FARTHEST))
-        good = np.flatnonzero(near.free(spots, wide, high, self._margin, self._apart))
-        good = good[own.free(spots[good], wide, high, CLEARANCE)]
-        leaders = np.stack([feet, ends], axis=-1)
-        good = good[near.clear_of_labels(leaders[good], CLEARANCE)]
-        good = good[own.all_covered(feet[good], ends[good]) == 0.0]
-        covered = near.all_covered(feet[good], ends[good])
-        bare = good[covered == 0.0]
-        if not bare.size:
-            cost += LED
-            bare = good[covered < ONE_STROKE]
-        if not bare.size:
-            return None
-        best = int(bare[0])
-        leader = complex(feet[best]), complex(ends[best])
-        spot = Placed(complex(spots[best]), wide, high, leader)
-        return self._place(number, spot, LETTERS[0], cost + LED)
+        for end, gap in itertools.product((-1.0, 1.0), NAMED):
+            out = cmath.rect(1.0, math.radians(middle + sign * end * 0.5 * span))
+            yield beside(at + radius * out, sign * end * 1j * out, gap, wide, high)
 
     def _place(self, number: int, name: Placed, letter: float, cost: float) -> SensePlace:
         return SensePlace(
@@ -389,19 +308,12 @@ class Places:
         return points
 
     @cached_property
-    def costs(self) -> Reals:
-        """How bad each of them is."""
-        middle = self.lines[:, len(SHARES) // 2]
-        strange = distances(middle, self.others) < distances(middle, self.bars)
-        costs: Reals = self._arrows.costs + STRANGE * strange
-        return costs
-
-    @cached_property
     def apt(self) -> Bools:
-        """Which of them lie near enough to their own link, and meet it with no end."""
+        """Which of them lie near enough to their own link, nearest to it, and end beside it."""
         lines = self.lines
         middles = lines[:, len(SHARES) // 2]
-        apt = np.asarray(distances(middles, self.bars) < self.farthest)
+        off = distances(middles, self.bars)
+        apt = np.asarray((off < self.farthest) & (off <= distances(middles, self.others) + PIXEL))
         if self.pivots:
             seen = (middles[:, None] - np.array(self.pivots)) / (middles - self._arrows.centres)[
                 :, None
@@ -419,7 +331,7 @@ class Places:
     @cached_property
     def _foreign(self) -> Obstacles:
         """What is drawn and is not their own link."""
-        kept = [each for each in self.drawn.lines if each[2] >= self.thin]
+        kept = self.drawn.lines
         starts, ends = (np.array([each[end] for each in kept], complex) for end in (0, 1))
         own = np.zeros(len(kept), bool)
         for bar in self.bars:  # a stroke along it, or a joint at one of its ends
@@ -489,10 +401,3 @@ def distances(spots: Complexes, bars: Sequence[Bar]) -> Reals:
         along = np.clip(((spots - start) * way.conjugate()).real / abs(way) ** 2, 0.0, 1.0)
         found = np.minimum(found, np.abs(spots - start - along * way))
     return found
-
-
-def _around(spots: Complexes, wide: float, high: float) -> Rect:
-    """Return a box about all boxes of a size at some places."""
-    x, y = spots.real, spots.imag
-    left, right, low, top = float(x.min()), float(x.max()), float(y.min()), float(y.max())
-    return Rect(left - wide / 2, low - high / 2, right + wide / 2, top + high / 2)

@@ -8,16 +8,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-from vad.kinematics.numbers import ray
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.vertices import Vertex, find_vertices, text_at
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman, symbols
-from vad.plan.marks import Bow, Lettering, Mark, line
+from vad.plan.marks import Lettering, Mark
 from vad.plan.pictures.angles import sense_arrow
-from vad.plan.pictures.sense_places import LETTERS, THIN, Places, SensePlace
+from vad.plan.pictures.sense_places import LETTERS, Places, SensePlace
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Order
 from vad.strokes.reveals import measurer
@@ -28,7 +27,7 @@ LETTER = LETTERS[0]
 #: A rate below this share of the largest one has no sense.
 STILL = 1e-9
 #: So many times the links without room for their arrows are placed before the others.
-ROUNDS = 3
+ROUNDS = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +44,7 @@ class Sense:
 
 
 def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
-    """Yield the arrows of all rates that are not given, and of the given α.
+    """Yield the arrows of all rates of a planar mechanism that have clear room on their links.
 
     What turns about a fixed pivot has its arrows about that: about another point of the link they
     would point against the motion that the picture shows.  Other links have theirs about a joint.
@@ -71,23 +70,14 @@ def placed_senses(
     vertices = find_vertices(sketch.setting.panel, sketch.scale)
     for row, _ in order:
         others = [bar for key, own in bars.items() if key != row.key for bar in own]
-        roomy = Places(
-            sketch.obstacles,
-            bars[row.key],
-            others,
-            *_ends(sketch.setting.panel.bodies, row, vertices),
-        )
-        places[row.key] = roomy, replace(roomy, thin=THIN)
+        ends = _ends(sketch.setting.panel.bodies, row, vertices)
+        places[row.key] = Places(sketch.obstacles, bars[row.key], others, *ends)
     best: list[tuple[Row, Sense, SensePlace]] = []
-    for tight in range(ROUNDS):
+    for _ in range(ROUNDS):
         found, short = [], []
         taken = sketch.obstacles.copy()
         for row, senses in order:
-            there = _there(sketch, row)
-            for each in places[row.key][: 1 + tight]:
-                spots = each.find(taken, asked(senses), there)
-                if None not in spots:
-                    break
+            spots = places[row.key].find(taken, [(each.sign, each.text) for each in senses])
             for sense, place in zip(senses, spots, strict=True):
                 if place is None:
                     short.append(row)
@@ -112,22 +102,6 @@ def _ends(
     places = {letter: each.at for each in vertices for letter in own & each.letters.keys()}
     pivots, joints = ([places[z] for z in places if z in some] for some in (fixed, shared))
     return pivots, joints, [*places.values()]
-
-
-def _there(sketch: Sketch, row: Row) -> tuple[complex, complex] | None:
-    """Return the centre and the direction of the arrow of a given ω, if it turns this link."""
-    number = sketch.setting.row(row.key)
-    for mark in (mark for item in sketch.items for mark in item.marks):
-        if mark.role == "sense" and mark.row == number and isinstance(mark.shape, Bow):
-            bow = mark.shape
-            middle = ray(bow.start + bow.sweep / 2)
-            return bow.centre, math.copysign(1.0, bow.sweep) * 1j * middle
-    return None
-
-
-def asked(senses: Sequence[Sense]) -> list[tuple[float, str]]:
-    """Return the signs and the names of some arrows."""
-    return [(sense.sign, sense.text) for sense in senses]
 
 
 def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:
@@ -197,8 +171,6 @@ def arrow_at(sketch: Sketch, row: Row, sense: Sense, place: SensePlace) -> Itera
     """Yield an arrow at its place, and the names that come to it."""
     number, sweep = sketch.setting.row(row.key), place.span * sense.sign
     arrow = sense_arrow(place.centre, place.radius, place.middle, sweep, number, size=0.8)
-    if place.name.leader:
-        arrow.insert(0, line(place.name.leader, "leader"))
     at, letter = place.name.centre, place.letter
     yield from with_names(arrow, sense, at, sketch.setting.panel.column, number, letter)
 

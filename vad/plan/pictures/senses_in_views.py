@@ -23,12 +23,10 @@ from vad.plan.pictures.senses import (
     LETTER,
     Sense,
     arrow_at,
-    asked,
     senses_of,
     with_names,
 )
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH
-from vad.plan.roles import CONSTRUCTION
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Row
 
@@ -36,8 +34,6 @@ from vad.strokes.sheet import Arc, Arrow, Bearing, Block, Row
 ANGLES = ("DC.angle", "Q.angle")
 #: Axes in true direction, by their rows: a sleeve or bearing on each, and which way it points.
 AXES = {"rocker": ("D.sleeve", 1.0), "driven": ("4.bearing", -1.0)}
-#: The half width of circles and projectors: at last an arrow may cross them.
-THIN = CONSTRUCTION / 2 + 1e-9
 #: So long on the page is an arm, at least, about which there is room for an arc arrow.
 LEAST = 0.09
 #: An arc arrow lies at most so far from its arm: outside of the circle on which that moves.
@@ -65,18 +61,13 @@ def senses_in_views(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
             for sense in senses:
                 if sense not in found and (items := [*_along(sketch, taken, row, sense)]):
                     found[sense] = items
-            left = [sense for sense in senses if sense not in found]
-            found |= _about(sketch, taken, row, left, THIN)
             yield from itertools.chain(*found.values())
 
 
 def _about(
-    sketch: Sketch, taken: Obstacles, row: Row, senses: Sequence[Sense], thin: float = 0.0
+    sketch: Sketch, taken: Obstacles, row: Row, senses: Sequence[Sense]
 ) -> dict[Sense, list[Item]]:
-    """Return arc arrows about an axis that is seen as a point, as far as there is room for them.
-
-    They may run across strokes with smaller half widths than ``thin``.
-    """
+    """Return arc arrows about an axis that is seen as a point, as far as there is room for them."""
     panel = sketch.setting.panel
     names = (*ANGLES, sketch.setting.sheet.driver.angle)
     found: dict[Sense, list[Item]] = {}
@@ -84,8 +75,10 @@ def _about(
         shape = stroke.shape
         if stroke.name in names and stroke.link == row.key and isinstance(shape, Arc):
             arm = [_arm(sketch, row, shape)]
-            places = Places(sketch.obstacles, arm, (), arm[0][:1], arm[0], arm[0], thin, FARTHEST)
-            for sense, place in zip(senses, places.find(taken, asked(senses)), strict=True):
+            axis = arm[0][:1]
+            places = Places(sketch.obstacles, arm, (), axis, axis, arm[0], FARTHEST)
+            spots = places.find(taken, [(each.sign, each.text) for each in senses])
+            for sense, place in zip(senses, spots, strict=True):
                 if place:
                     place.block(taken)
                     found.setdefault(sense, []).extend(arrow_at(sketch, row, sense, place))

@@ -299,9 +299,6 @@ class Skeleton:
                 sketch.hang(index, Level.CONSTRUCTION, shown)
             if sketch.finished:
                 labels.angle(sketch, index, bow)
-            if not sketch.finished:
-                turned = panel.find(sketch.setting.sheet.driver.stroke)
-                angles.add_free_sense(sketch, turned, panel.strokes[index])
         if not sketch.finished:
             for index, stroke in enumerate(panel.strokes):
                 if is_curved_arrow(stroke):
