@@ -30,9 +30,9 @@ KEY = 0.058
 #: What no still has.
 NEVER = (
     *("missing", "on the link and in the table", "far", "nearer to another", "alike"),
-    *("on a stroke", "close to a stroke", "name nearer to another", "name far off"),
+    *("on a stroke", "close to a stroke", "name nearer to another", "name far off", "in crumbs"),
     *("about no joint", "against its pivot", "nearer to another end", "looks straight"),
-    "ends on its link",
+    *("ends on its link", "arc crosses"),
 )
 #: So many rates of a still have their senses in the table at most; in these so many.
 IN_TABLE = 2
@@ -156,6 +156,19 @@ def test_a_rate_without_clear_room_has_its_sense_in_the_table():
     blank = problem(board, blank_panels(board.sheet, ("velocity", "acceleration")), KEY)
     assert turns_told(blank) == {("ω₂", 1.0)}, "what is given stays"
     assert not drawn(vad.FourBar()).turns
+
+
+@pytest.mark.parametrize("place", [6, 9])
+def test_the_arc_of_an_angle_reads_as_one(place):
+    """It is whole beneath the links, or has another radius, rather than in crumbs."""
+    sketch = posed("four-bar", place).sketches["position"]
+    bows = [m.shape for i in sketch.items for m in i.marks if m.role == "angle"]
+    [shape] = [s.shape for s in sketch.setting.panel.strokes if s.name == "AB.angle"]
+    left = sum(abs(bow.sweep) for bow in bows) / abs(shape.sweep)
+    assert left > 0.6
+    assert len(bows) <= 3
+    crank = shape.radius * sketch.scale.factor
+    assert all(bow.radius < crank for bow in bows)
 
 
 @pytest.mark.parametrize("name", ["slider-crank", "toggle-press"])

@@ -36,6 +36,8 @@ SHARE_OF_CRANK = 0.9
 SHARE_IN_YOKE = 0.6  # where slot and block hide what is farther out
 #: An arc that touches other strokes may be smaller; near its ends it meets its own.
 SMALLER_ARCS, SMALLEST_ARC, ENDS = (0.88, 0.76), 0.058, 0.012
+#: Larger ones are tried where it is left in crumbs: in more parts, or a smaller share.
+LARGER_ARCS, MOST_PARTS, LEAST_LEFT = (1.14, 1.3, 1.5), 3, 0.65
 OFF_STROKES = 0.005
 #: Of an arc that is interrupted: from a stroke to its parts, the shortest of them, and the angle in
 #: degrees between the places that are looked at.
@@ -52,8 +54,6 @@ SENSE_SIZES = (  # radius and span, the best first
     (0.104, 46.0),
     (0.120, 40.0),
 )
-#: Farther from its link, the arrow of a given ω would seem to be of another one.
-NEAR_SIZES = tuple(size for size in SENSE_SIZES if size[0] <= 0.074)
 #: Beyond the circle on which a crank runs, where it is drawn.
 WIDER = ((0.135, 38.0), (0.150, 34.0), (0.170, 30.0))
 SENSE_LEAD = 63.0
@@ -75,10 +75,10 @@ def angle_arcs(sketch: Sketch) -> list[tuple[int, Hung]]:
     panel, found = sketch.setting.panel, []
     for index, stroke in enumerate(panel.strokes):
         if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
-            radius = _radius(panel, stroke.shape, sketch.scale)
-            arc = AngleArc(stroke.name, radius, sketch.setting.room)
+            most = _largest(panel, stroke.shape, sketch.scale)
+            arc = AngleArc(stroke.name, min(RADIUS, most), sketch.setting.room)
             if not sketch.finished:
-                arc = _clear_arc(sketch, arc)
+                arc = _clear_arc(sketch, arc, most)
             found.append((index, Hung(arc, "angle", growth=Trimming())))
             bow = arc.posed(sketch.solved)
             # While it is turned by hand, the arc has as many pieces in every pose.
@@ -87,22 +87,37 @@ def angle_arcs(sketch: Sketch) -> list[tuple[int, Hung]]:
     return found
 
 
-def _radius(panel: Panel, shape: Arc, scale: Scale) -> float:
+def _largest(panel: Panel, shape: Arc, scale: Scale) -> float:
+    """Return the radius up to which the arc of an angle lies beside its crank."""
     yoke = any(is_yoke(panel, other.link) for other in panel.strokes)
     share = SHARE_IN_YOKE if yoke else SHARE_OF_CRANK
-    return min(RADIUS, share * shape.radius * scale.factor)
+    return share * shape.radius * scale.factor
 
 
-def _clear_arc(sketch: Sketch, arc: AngleArc) -> AngleArc:
-    """Return the arc of an angle, smaller if it then crosses less of what is drawn."""
+def _clear_arc(sketch: Sketch, arc: AngleArc, most: float) -> AngleArc:
+    """Return the arc of an angle, smaller if it then crosses less of what is drawn.
+
+    One that is left in crumbs has another radius, of at ``most`` so much, if there is one at which
+    it is not.
+    """
 
     def crossed(each: AngleArc) -> int:
         line = each.posed(sketch.solved).line()
         inner = [z for z in line if min(abs(z - line[0]), abs(z - line[-1])) > ENDS]
         return int((~sketch.obstacles.free(inner, 0.0, 0.0, OFF_STROKES)).sum()) if inner else 0
 
-    smaller = [replace(arc, radius=share * arc.radius) for share in SMALLER_ARCS]
-    return min([arc, *(each for each in smaller if each.radius >= SMALLEST_ARC)], key=crossed)
+    def whole(each: AngleArc) -> bool:
+        bow = each.posed(sketch.solved)
+        return not _in_crumbs(_parts(sketch.obstacles, bow))
+
+    smaller, larger = (
+        [replace(arc, radius=share * arc.radius) for share in shares]
+        for shares in (SMALLER_ARCS, LARGER_ARCS)
+    )
+    usual = [arc, *(each for each in smaller if each.radius >= SMALLEST_ARC)]
+    best = min(usual, key=crossed)
+    others = (*usual[1:], arc, *(each for each in larger if each.radius <= most))
+    return next((each for each in (best, *others) if whole(each)), best)
 
 
 def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
@@ -110,7 +125,7 @@ def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
     found = obstacles.copy()
     for shape in (stroke.shape for stroke in panel.strokes if stroke.kind == "angle"):
         if isinstance(shape, Arc) and shape.sweep:
-            radius = _radius(panel, shape, scale)
+            radius = min(RADIUS, _largest(panel, shape, scale))
             found.line(Bow(scale(shape.centre), radius, shape.start, shape.sweep).line(), LINE / 2)
     return found
 
@@ -118,28 +133,45 @@ def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
 def interrupted(sketch: Sketch, arc: Hung) -> list[Hung]:
     """Return the arc of an angle with gaps where it would cross what is drawn, but at its ends.
 
-    Both ends show, so that all see where it begins and where it ends.
+    One that would be left in crumbs is whole, beneath the links.
     """
     whole, bow = arc.shape, bow_of(sketch, arc)
     assert isinstance(whole, AngleArc)
-    steps = max(2, math.ceil(abs(bow.sweep) / STEP))
-    turns = np.radians(bow.start + bow.sweep * np.linspace(0.0, 1.0, steps + 1))
-    spots = bow.centre + bow.radius * np.exp(1j * turns)
-    strokes = Obstacles(sketch.obstacles.edge.inside(-1.0))
-    strokes.lines = [each for each in sketch.obstacles.lines if not _is_own(each, bow)]
-    kept = strokes.free(spots.tolist(), 0.0, 0.0, GAP)
-    kept |= np.minimum(abs(spots - spots[0]), abs(spots - spots[-1])) < ENDS
-    if kept.all():
+    parts = _parts(sketch.obstacles, bow)
+    if _in_crumbs(parts) or parts == [(0.0, 1.0)]:
         return [arc]
-    runs = [[*run] for there, run in itertools.groupby(range(steps + 1), kept.__getitem__) if there]
-    parts = [(run[0] / steps, run[-1] / steps) for run in runs if len(run) > 1]
     return [
         replace(
             arc, shape=replace(whole, part=(low, high)), growth=Trimming(((low, 0.0), (high, 1.0)))
         )
         for low, high in parts
+    ]
+
+
+def _parts(obstacles: Obstacles, bow: Bow) -> list[tuple[float, float]]:
+    """Return the shares of an arc between which it crosses nothing, and both of its ends.
+
+    So all see where it begins and where it ends.
+    """
+    steps = max(2, math.ceil(abs(bow.sweep) / STEP))
+    turns = np.radians(bow.start + bow.sweep * np.linspace(0.0, 1.0, steps + 1))
+    spots = bow.centre + bow.radius * np.exp(1j * turns)
+    strokes = Obstacles(obstacles.edge.inside(-1.0))
+    strokes.lines = [each for each in obstacles.lines if not _is_own(each, bow)]
+    kept = strokes.free(spots.tolist(), 0.0, 0.0, GAP)
+    kept |= np.minimum(abs(spots - spots[0]), abs(spots - spots[-1])) < ENDS
+    runs = [[*run] for there, run in itertools.groupby(range(steps + 1), kept.__getitem__) if there]
+    parts = [(run[0] / steps, run[-1] / steps) for run in runs if len(run) > 1]
+    return [
+        (low, high)
+        for low, high in parts
         if (high - low) * bow.length >= LEAST_PART or low == 0.0 or high == 1.0
     ]
+
+
+def _in_crumbs(parts: Sequence[tuple[float, float]]) -> bool:
+    """Tell whether so little is left of an arc that it no longer reads as an angle."""
+    return len(parts) > MOST_PARTS or sum(high - low for low, high in parts) < LEAST_LEFT
 
 
 def _is_own(line: tuple[complex, complex, float, object], bow: Bow) -> bool:
@@ -259,7 +291,7 @@ def add_free_sense(
     sketch: Sketch,
     index: int | None,
     angle: Stroke,
-    sizes: Sequence[tuple[float, float]] = NEAR_SIZES,
+    sizes: Sequence[tuple[float, float]],
 ) -> None:
     """Add the arrow of the given ω, if there is one, where it meets nothing of this one pose.
 
