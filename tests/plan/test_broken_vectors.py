@@ -11,6 +11,7 @@ from vad.plan.marks import Lettering, Mark, Polygon, Polyline
 from vad.plan.pictures.polygon import principal
 from vad.plan.reach import corners
 from vad.plan.turn_board import TurnBoard
+from vad.statics.burden import burden_of
 
 FRAMES = range(0, 240, 5)
 
@@ -65,6 +66,16 @@ def test_a_longer_vector_is_broken_at_the_edge_and_that_is_said() -> None:
                 assert min(abs(end - at) for shaft in shafts for end in shaft) < 1e-6
             assert min(_away((first + second) / 2, *shaft) for shaft in shafts) > 0.003
     assert 5 < found < 15
+
+
+def test_forces_which_are_small_most_of_the_time_are_broken_sooner() -> None:
+    """Their polygons have no lens."""
+    motion = vad.solve(vad.load(example_path("excavator-bucket"))())
+    loaded = vad.forces(motion, *burden_of(load=("P = 12 kN @ 90 at T",)))
+    board = TurnBoard(vad.turn(loaded, panels="force"))
+    broken = [frame for frame in FRAMES if marks(board.shown(frame), "break")]
+    assert 0 < len(broken) < len(FRAMES) / 3
+    assert [frame for frame in FRAMES if said(board.shown(frame))] == broken
 
 
 def _away(at: complex, start: complex, end: complex) -> float:

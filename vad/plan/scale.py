@@ -46,7 +46,8 @@ DIMENSION = 0.050
 #: Of its panel, a mechanism fills at least this, and a polygon, in which more letters stand.  Where
 #: a new scale is found, it leaves that to spare.
 LEAST, LEAST_POLYGON, SPARE = 0.22, 0.60, 0.20
-#: How many times as large as three in four poses those of a turn are that leave their room.
+#: How many times as large as three in four poses those accelerations of a turn are that leave their
+#: room.
 PEAK = 3.5
 _DEEP = 0.1  # by that share of its height a mechanism reaches below a guide
 _LEVEL = 0.9  # the height of the unit vector across a guide that is about level
@@ -214,7 +215,7 @@ def polygon_scale(
     polygons: Sequence[Sequence[complex]],
     room: Rect,
     centimetre: float | None,
-    most: float = PEAK,
+    most: float,
 ) -> Scale:
     """Return the scale at which polygons fill a room; a few very large ones may leave it.
 

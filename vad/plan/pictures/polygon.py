@@ -10,6 +10,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from vad.lecture.poles import DWARFED
 from vad.plan.anchors import SWELLING, Anchor, Area, Circle, Hung, PointName, on_page
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Level
@@ -40,7 +41,7 @@ from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import PEAK, Scale, bar_box, bar_marks, fill, polygon_scale, stated
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.diagram import VELOCITY
+from vad.strokes.diagram import ACCELERATION, VELOCITY
 from vad.strokes.sheet import Arc, Arrow, Dot, Ellipse, Line, Panel, PolarInset, Stroke, StrokePart
 
 CORIOLIS = "2ωv"
@@ -204,9 +205,9 @@ def draw(setting: Setting) -> Sketch:
 def over_turn(setting: Setting, poses: Sequence[Panel]) -> Polygon:
     """Return the polygon of a turn, as large as leaves room for its speeds in all poses."""
     polygons = [corners(principal(pose)) for pose in poses]
-    # A quick return is fast: that is what the turn shows.
-    whole = setting.panel.column == VELOCITY.panel or _is_followed(setting.panel)
-    most = math.inf if whole else PEAK
+    most = PEAK if setting.panel.column == ACCELERATION.panel else DWARFED
+    if setting.panel.column == VELOCITY.panel or _is_followed(setting.panel):
+        most = math.inf  # a quick return is fast: that is what the turn shows
     below = BAR_ROOM if setting.panel.name != setting.panel.column else 0.0
 
     def scale_in(room: Rect) -> Scale:
