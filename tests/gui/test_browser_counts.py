@@ -29,7 +29,7 @@ MOST = {
     "whitworth": (82, 81, 88, 32, 117),
 }
 #: Milliseconds from one text to the next while the hand moves.
-LEGIBLE = 50
+LEGIBLE = 80
 #: Moves in each of so many frames, and then twice at once: in how many of these frames the ring has
 #: another place and the table another text, and what the box says and should say after each of the
 #: last moves, when the hand lets go and when a program asks for a pose.
