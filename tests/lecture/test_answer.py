@@ -7,6 +7,7 @@ import re
 import pytest
 
 import vad
+from vad.files.examples import example_path
 from vad.lecture.answer import answer
 from vad.lecture.moment import Moment
 from vad.painting.posed import board_of
@@ -54,6 +55,20 @@ def test_centres_end_with_the_rate_that_they_give(language):
 def test_a_shaft_ends_with_the_masses_that_balance_it(language):
     found = re.findall(r"[\d.,]+(?= kg|°)", said(vad.balance(SHAFT), language=language))
     assert [text.replace(",", ".") for text in found] == ["353.0", "213.4", "184.1", "347.2"]
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        ("en", "the platform DE moves upwards at 55.75 mm/s without turning."),
+        ("de", "bewegt sich die Bühne DE nach oben mit 55,75 mm/s, ohne sich zu drehen."),
+        ("fr", "la plate-forme DE se déplace vers le haut à 55,75 mm/s sans tourner."),
+    ],
+)
+def test_a_platform_that_only_rises_does_not_stand_still(language, words):
+    lift = vad.load(example_path("scissor-lift"))()
+    assert said(vad.solve(lift), language=language).endswith(words)
+    assert words[-20:] not in said(vad.solve(lift, velocity=0.0), language=language)
 
 
 def test_of_a_radius_that_is_found_the_product_is_said():

@@ -74,11 +74,28 @@ def _motion(sheet: Sheet) -> Sentence | None:
     }
     way = _way(sheet, row)
     if abs(rate.value) <= _REST * _largest(sheet, rate.unit):
-        return _said(sheet, "answer rests", parts)
+        shifts = _shift(sheet, row)
+        return _said(sheet, "answer shifts" if shifts else "answer rests", parts | shifts)
     if not way:
         return _said(sheet, "answer measures", parts)
     parts |= {"way": _said(sheet, way), "rate": Figure(abs(rate.value), rate.unit)}
     return _said(sheet, "answer turns" if rate.unit == "rad/s" else "answer moves", parts)
+
+
+def _shift(sheet: Sheet, row: Row) -> dict[str, SentencePart]:
+    """Return how fast a link moves that does not turn, and which way; nothing if it stands still.
+
+    All its points move alike: as the last one whose velocity is drawn from the pole.
+    """
+    panel = next((panel for panel in sheet.panels if panel.name == VELOCITY.panel), None)
+    for stroke in reversed(panel.strokes if panel else ()):
+        if stroke.link == row.key and stroke.component == "absolute":
+            assert panel is not None and isinstance(stroke.shape, Arrow)
+            velocity = stroke.shape.end - stroke.shape.start
+            rate = Figure(abs(velocity), panel.unit)
+            way = _said(sheet, _direction(velocity))
+            return {"way": way, "rate": rate, "unit": Unit(panel.unit)}
+    return {}
 
 
 def _of_klein(sheet: Sheet) -> Sentence | None:

@@ -256,6 +256,9 @@ PHRASES = {
     "answer moves": "{place} bewegt sich {name:der} {of} {way} mit {rate} {unit}{trend}.",
     "answer measures": "{place} hat {name:der} {of} {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place} steht {name:der} {of} für einen Augenblick still.",
+    "answer shifts": (
+        "{place} bewegt sich {name:der} {of} {way} mit {rate} {unit}, ohne sich zu drehen."
+    ),
     "answer pushes": (
         "{place} muss der Antrieb die Enden von {of} mit {symbol} = {value} {unit} "
         "auseinanderdrücken."

@@ -264,6 +264,7 @@ PHRASES = {
     "answer moves": "{place} the {name} {of} moves {way} at {rate} {unit}{trend}.",
     "answer measures": "{place} the {name} {of} has {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place} the {name} {of} stands still for an instant.",
+    "answer shifts": "{place} the {name} {of} moves {way} at {rate} {unit} without turning.",
     "answer pushes": (
         "{place} the drive must push the ends of {of} apart with {symbol} = {value} {unit}."
     ),

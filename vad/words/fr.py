@@ -264,6 +264,7 @@ PHRASES = {
     "answer moves": "{place}, {name:le} {of} se déplace {way} à {rate} {unit}{trend}.",
     "answer measures": "{place}, {name:le} {of} a {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place}, {name:le} {of} est immobile un instant.",
+    "answer shifts": "{place}, {name:le} {of} se déplace {way} à {rate} {unit} sans tourner.",
     "answer pushes": (
         "{place}, le moteur doit écarter les extrémités de {of} avec {symbol} = {value} {unit}."
     ),
