@@ -38,15 +38,15 @@ def counted(sheet: Sheet, size: tuple[int, int] = (1280, 720)) -> Counter[str]:
     found: Counter[str] = Counter()
     for sketch in planned(sheet, size).sketches.values():
         found["lens"] += len(sketch.lenses)
-        points = list(dict.fromkeys(_points(sketch)))
+        points = list(dict.fromkeys(points_of(sketch)))
         lettered = [(letter, at) for letter, at in points if letter]
-        places = _unequal([at for _, at in lettered])
+        places = unequal([at for _, at in lettered])
         for one, other in combinations(places, 2):
-            if abs(one - other) < LEAST and not _told_apart(sketch, one, other):
+            if abs(one - other) < LEAST and not told_apart(sketch, one, other):
                 found["pair" if abs(one - other) > TINY else "tiny"] += 1
         found["short"] += sum(
-            EQUAL < abs(one - other) < LEAST and not _told_apart(sketch, one, other)
-            for one, other in _vectors(sketch)
+            EQUAL < abs(one - other) < LEAST and not told_apart(sketch, one, other)
+            for one, other in vectors_of(sketch)
         )
         for tag in sketch.tags:
             if tag.span[1] != FOREVER:
@@ -55,16 +55,16 @@ def counted(sheet: Sheet, size: tuple[int, int] = (1280, 720)) -> Counter[str]:
             seen = any(abs(tag.box.centre - lens.at) < lens.radius for lens in sketch.lenses)
             if seen or not own:
                 continue
-            off = min(_distance(tag.box, at) for at in own)
-            if _is_led(sketch, tag):
+            off = min(distance(tag.box, at) for at in own)
+            if is_led(sketch, tag):
                 found["far"] += off > FARTHEST
             else:
-                found["astray"] += any(_distance(tag.box, at) < off - EQUAL for at in places)
+                found["astray"] += any(distance(tag.box, at) < off - EQUAL for at in places)
     found["on"] = len(overlaps(sheet, size))
     return +found
 
 
-def _points(sketch: Sketch) -> Iterator[Point]:
+def points_of(sketch: Sketch) -> Iterator[Point]:
     """Yield the lettered points of a panel, and where they are on the page."""
     scale = sketch.scale
     for stroke in sketch.setting.panel.strokes:
@@ -80,14 +80,14 @@ def _points(sketch: Sketch) -> Iterator[Point]:
                     yield letter, scale(at)
 
 
-def _vectors(sketch: Sketch) -> Iterator[tuple[complex, complex]]:
+def vectors_of(sketch: Sketch) -> Iterator[tuple[complex, complex]]:
     """Yield the ends of the vectors of a panel on the page."""
     for stroke in sketch.setting.panel.strokes:
         if isinstance(stroke.shape, Arrow) and sketch.setting.panel.picture == "vectors":
             yield sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
 
 
-def _unequal(places: list[complex]) -> list[complex]:
+def unequal(places: list[complex]) -> list[complex]:
     found: list[complex] = []
     for at in places:
         if all(abs(at - other) > EQUAL for other in found):
@@ -95,7 +95,7 @@ def _unequal(places: list[complex]) -> list[complex]:
     return found
 
 
-def _told_apart(sketch: Sketch, one: complex, other: complex) -> bool:
+def told_apart(sketch: Sketch, one: complex, other: complex) -> bool:
     """Tell whether a lens shows both places, and not at one."""
     return any(
         abs(lens(one) - lens.at) < lens.radius
@@ -105,17 +105,17 @@ def _told_apart(sketch: Sketch, one: complex, other: complex) -> bool:
     )
 
 
-def _is_led(sketch: Sketch, tag: Tag) -> bool:
+def is_led(sketch: Sketch, tag: Tag) -> bool:
     """Tell whether a leader ends at a label."""
     return any(
-        mark.role == "leader" and any(_distance(tag.box, z) < 0.006 for z in mark.shape.pieces[0])
+        mark.role == "leader" and any(distance(tag.box, z) < 0.006 for z in mark.shape.pieces[0])
         for item in sketch.items
         for mark in item.marks
         if mark.role == "leader"
     )
 
 
-def _distance(box: Rect, point: complex) -> float:
+def distance(box: Rect, point: complex) -> float:
     aside = max(box.left - point.real, point.real - box.right, 0.0)
     above = max(box.bottom - point.imag, point.imag - box.top, 0.0)
     return math.hypot(aside, above)

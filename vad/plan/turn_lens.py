@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from vad.plan.geometry import Rect
 from vad.plan.hodographs import Complexes, Hodographs
 from vad.plan.items import Item, Level
-from vad.plan.labels.close import FACTORS, LARGEST_ALONE, LEAST_RING, SMALLEST
+from vad.plan.labels.close import LARGEST_ALONE, LEAST_RING, SMALLEST
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import APART
 from vad.plan.labels.springs import Ballast, Crowd
@@ -48,6 +48,8 @@ SMALL, PART = 45.0 * PIXEL, 0.25
 HYSTERESIS = 1.3
 #: The seconds in which it comes and goes.
 FADE = 0.3
+#: How many times as large it shows what is there.
+FACTORS = (2.0, 4.0, 8.0, 20.0, 50.0, 100.0, 200.0)
 #: From the rim of a lens to the dots that it has room for.
 INSIDE = 0.012
 #: From the rim to what else is in the panel.

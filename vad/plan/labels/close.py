@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, islice
+from operator import itemgetter
 
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.vertices import SAME, Vertex
@@ -17,7 +18,7 @@ from vad.plan.sketch import Close, Setting
 
 LEAST = 10.0 * PIXEL
 APART = 0.030
-FACTORS = (2.0, 4.0, 8.0, 20.0, 50.0, 100.0, 200.0)
+FACTORS = (4.0, 8.0, 12.0, 20.0, 50.0, 100.0, 200.0)
 #: Dots that are so far apart in a lens are seen as two, if nearly.
 TOUCHING = 0.017
 #: A lens shows what stands within that distance, too, as far as it has room.
@@ -31,7 +32,7 @@ LEAST_RING = 0.0165
 MOST = 2  # lenses in a panel
 #: Among more points than this two lenses help little, and to look for their places takes a minute.
 MANY = 30
-TRIED = 10  # of the places that a lens may show
+TRIED = 16  # of the places that a lens may show
 #: What points told apart nearly, and a letter that finds a place, count beside points told apart.
 NEARLY, LETTER = 0.5, 0.1
 #: Above this factor, points are so near that it says little to tell them apart; what that counts.
@@ -69,24 +70,26 @@ def close_places(
     setting: Setting,
     vertices: Sequence[Vertex],
     far: Collection[str],
-    has_letters: Callable[[Close], bool],
+    shown: Callable[[Close], Collection[int]],
 ) -> list[Close]:
     """Return the places that need a lens, the one that tells most apart first.
 
-    ``far`` are labels that have no place beside their dots.  Of each place all that a lens shows
-    ``has_letters`` there.
+    ``far`` are labels that have no place beside their dots.  What a lens has ``shown`` of a place
+    are the numbers of the vertices in it; none where not all of them have their letters there.
     """
     needs = list(_needs(vertices, far)) if len(vertices) <= MANY else []
     found: list[Close] = []
     taken: set[int] = set()
     while needs and len(found) < MOST:  # each round finds one
         tried = _tried(setting, vertices, needs, taken)
-        close = next(filter(has_letters, islice(tried, TRIED)), None)
+        views = ((each, shown(each)) for each in islice(tried, TRIED))
+        close, seen = next(filter(itemgetter(1), views), (None, ()))
         if close is None:
             break
         found.append(close)
-        taken.update(close.members)
-        needs = [each for each in needs if not taken.issuperset(each.members)]
+        taken.update(seen)
+        factor, told = close.factor, set(seen)
+        needs = [each for each in needs if not (told.issuperset(each.members) and each.met(factor))]
     return found
 
 

@@ -8,93 +8,55 @@ letters stand apart and no lens is drawn.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import replace
 from itertools import combinations
 from operator import itemgetter
 from typing import NamedTuple
 
-import numpy as np
-
-from vad.plan.anchors import OnPage, on_page
 from vad.plan.geometry import Rect
-from vad.plan.items import ALWAYS, FOREVER, Item, Level
+from vad.plan.items import ALWAYS, FOREVER
 from vad.plan.labels.choices import PlacedLabels
-from vad.plan.labels.close import (
-    LEAST_RING,
-    MOST,
-    SMALLEST,
-    close_places,
-    largest,
-)
+from vad.plan.labels.close import MOST, close_places
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import CLEARANCE, Placed, near_places, place_all
-from vad.plan.labels.vertices import IN_LINE, Vertex, add_letters, label_vertices, wish
-from vad.plan.lens import BAND, Lens, Seen, block, circle
-from vad.plan.marks import Mark, Outline, Polygon, disc
-from vad.plan.pictures.inset import add_inset, boxes, first_corner, insets_of, reserved
+from vad.plan.labels.placing import distance
+from vad.plan.labels.vertices import Vertex, label_vertices
+from vad.plan.lens import block
+from vad.plan.marks import Polygon
+from vad.plan.pictures.inset import (
+    Corner,
+    Inset,
+    add_inset,
+    boxes,
+    first_corner,
+    insets_of,
+    reserved,
+)
 from vad.plan.pictures.lenses import ROOMY, Field, Spot
+from vad.plan.pictures.scenes import CROSSED, FAINT, RADII, TINT, Scene, View
 from vad.plan.reach import corners
-from vad.plan.roles import ROLES
 from vad.plan.scale import fill, views_scale
 from vad.plan.sketch import Close, Setting, Sketch
 
 #: Draws a picture in a room with its labels; None where it has no place for its inset.
 Draw = Callable[[Rect, "LensedLabels"], Sketch | None]
 
+#: The number of the subsets of close places: beyond them no place has a lens.
+NONE = 2**MOST - 1
 #: A drawing that makes room for a lens has at least this share of its scale.
 LEAST_SCALE = 0.70
 #: So many smaller drawings have letters before none is tried any more.
 LABELLED = 3
 #: How many rooms are tried.
 ROOMS = 9
-#: How many radii are tried.
-RADII = 5
-#: Farther from the rim of its dot, a letter needs a lens.
-FAR = 20.0 * PIXEL
-#: The sizes of letters in a lens, and how many stand in one line.
-LETTERS = ((0.036, IN_LINE), (0.030, IN_LINE), (0.030, 2))
-#: How far and where a lens may be moved over what it shows, and from there to its rim at least.
-ASIDES = (0j, *(off * way for off in (0.022, 0.045) for way in (1j, -1j, -1.0 + 0j, 1.0 + 0j)))
-INNER = 0.018
-NEAR = (0.010, 0.014, 0.020, 0.028)
-_SHOWN = (Level.GROUND, Level.CONSTRUCTION, Level.CARRIER, Level.BLOCK, Level.STROKE, Level.DOT)
-#: What is written about a picture, and so does not belong to the place.
-_NOT_SHOWN = {"angle", "axis", "sense", "speed", "notes", "scale bar", "right angle", "stub"}
-#: A faint line, which a lens may cover; letters may stand on it, and on a tint.
-FAINT, TINT = "construction done", "plate"
+#: Farther from its dot, a letter needs a lens; and farther than that, the drawing is spoilt.
+FAR, ASTRAY = 40.0 * PIXEL, 100.0 * PIXEL
+#: Where a leader lies on strokes, or a letter is astray, so many smaller drawings are tried.
+BETTER = 3
 
 
 class NoRoomError(Exception):
-    """A drawing has no room for its lenses."""
-
-
-class View(NamedTuple):
-    """What a lens about the origin shows, and the places of its letters, of one size.
-
-    The marks of each item have their shapes before they are cut.  Letters have the numbers of their
-    vertices, of which ``dots`` are the places.
-    """
-
-    lens: Lens
-    close: Close
-    size: float
-    in_line: int
-    letters: list[tuple[int, Placed]]
-    dots: list[complex]
-
-    def within(self, radius: float) -> View | None:
-        """Return it in a smaller lens; None where a letter would not be in it."""
-        inner = radius - ROLES["lens rim"].width - CLEARANCE
-        if any(_reach(placed.box) > inner for _, placed in self.letters):
-            return None
-        if any(abs(at) > radius - INNER for at in self.dots):
-            return None
-        return self._replace(lens=replace(self.lens, radius=radius))
-
-
-#: The items that a lens shows, with the shapes of their marks at its scale, about the origin.
-Whole = list[tuple[Item, list[tuple[Mark, Outline]]]]
+    """A drawing has no room for its lenses, or none that is as good as another's."""
 
 
 class LensedLabels(PlacedLabels):
@@ -104,10 +66,12 @@ class LensedLabels(PlacedLabels):
 
     Parameters
     ----------
-    count
-        The number of lenses at most.
+    rank
+        Which of the `subsets` of close places have lenses; there is none from `NONE` on.
     far
         Labels without a place beside their dots.
+    most
+        With more leaders of lenses across strokes there is no drawing.
 
     Attributes
     ----------
@@ -115,17 +79,21 @@ class LensedLabels(PlacedLabels):
         The places that need a lens.
     led
         The labels of the picture that stand far from their dots.
+    faults
+        How many leaders of lenses lie on strokes, and how many labels are astray.
+    fits
+        The rank of the first subset for whose lenses there is room.
     forced
         The number of labels that have no free place.
     placed
         Whether the letters have places: there was room for the lenses.
     """
 
-    def __init__(self, count: int = MOST, far: Collection[str] = ()) -> None:
-        self._count, self._far = count, far
+    def __init__(self, rank: int = 0, far: Collection[str] = (), most: float = math.inf) -> None:
+        self._rank, self._far, self._most = rank, far, most
         self.close: list[Close] = []
         self.led: frozenset[str] = frozenset()
-        self.forced = 0
+        self.fits = self.forced = self.faults = 0
         self.placed = False
 
     def vertices(
@@ -139,22 +107,29 @@ class LensedLabels(PlacedLabels):
             If a lens has no place.
         """
         setting, sketch.vertices = sketch.setting, vertices
-        scenes: dict[Close, _Scene] = {}
+        scenes: dict[Close, Scene] = {}
 
-        def has_letters(close: Close) -> bool:
-            scene = scenes[close] = _Scene(sketch, close)
-            return scene.has_letters
+        def shown(close: Close) -> Collection[int]:
+            scene = scenes[close] = Scene(sketch, close)
+            return scene.shown
 
-        self.close = close_places(setting, vertices, self._far, has_letters) if self._count else []
-        count = min(self._count, len(self.close))
-        if count and not add_lenses(sketch, [scenes[each] for each in self.close], count):
-            raise NoRoomError
+        self.close = close_places(setting, vertices, self._far, shown) if self._rank < NONE else []
+        if self.close:
+            choices = subsets([scenes[each] for each in self.close])[self._rank :]
+            found = find_lenses(sketch, choices)
+            self.fits = self._rank + found.number if found else NONE
+            self.faults = sum(spot.covered > CROSSED for _, spot, _ in found.placed) if found else 0
+            if not found or self.fits > self._rank or self.faults > self._most:
+                raise NoRoomError
+            found.add(sketch)
         hidden = {number for close in sketch.close for number in close.members}
         seen = [vertex for number, vertex in enumerate(vertices) if number not in hidden]
         placed = label_vertices(sketch, seen, radius, near, vertices)
         self.placed = True
         self.forced = sum(spot.forced for _, spot in placed)
-        self.led = frozenset(seen[number].label for number, spot in placed if spot.leader)
+        off = {seen[n].label: distance(spot.box, seen[n].at) for n, spot in placed}
+        self.led = frozenset(label for label, far in off.items() if far > FAR)
+        self.faults += sum(far > ASTRAY for far in off.values())
         for close in sketch.close:
             early = [vertices[n] for n in close.members]
             early = [each for each in early if setting.after(each.since) < close.since]
@@ -169,7 +144,7 @@ def with_lenses(setting: Setting, draw: Draw) -> Sketch:
     """
     sketch, labels, room = _roomiest(setting, draw)
     if labels.led and setting.lenses and setting.panel.picture == "vectors":
-        other = LensedLabels(MOST, labels.led)
+        other = LensedLabels(0, labels.led)
         better = _tried(draw, room, other)
         if better and len(other.led) < len(labels.led) and other.forced <= labels.forced:
             return better
@@ -177,24 +152,31 @@ def with_lenses(setting: Setting, draw: Draw) -> Sketch:
 
 
 def _roomiest(setting: Setting, draw: Draw) -> tuple[Sketch, LensedLabels, Rect]:
-    """Return the largest drawing with lenses for what cannot be told apart, and its room."""
-    labels = LensedLabels(MOST if setting.lenses else 0)
+    """Return the best drawing with lenses for what cannot be told apart, and its room.
+
+    It has as many lenses as there is room for, then as few faults, and then it is as large.
+    """
+    labels = LensedLabels(0 if setting.lenses else NONE)
     sketch = _tried(draw, setting.room, labels)
-    if sketch:
-        return sketch, labels, setting.room
-    most = len(labels.close)
-    rooms = [setting.room, *_smaller_rooms(setting)][:ROOMS]
-    lettered = 0
-    for count in range(most, 0, -1):
-        for room in rooms[1:] if count == most else rooms:
-            labels = LensedLabels(count)
-            sketch = _tried(draw, room, labels)
-            if sketch:
-                return sketch, labels, room
-            lettered += labels.placed
-            if lettered >= LABELLED * (1 + most - count):
+    best = (sketch, labels, setting.room) if sketch else None
+    if best and not (labels.close and labels.faults):
+        return best
+    fits = dict.fromkeys(_smaller_rooms(setting)[: ROOMS - 1] if labels.close else (), 0)
+    for rank in range(NONE):
+        left, lettered = BETTER if best else ROOMS, 0
+        for room in [room for room, least in fits.items() if least <= rank]:
+            other = LensedLabels(rank, most=best[1].faults - 1 if best else math.inf)
+            sketch = _tried(draw, room, other)
+            fits[room], left, lettered = other.fits, left - 1, lettered + other.placed
+            if sketch and other.close and (best is None or other.faults < best[1].faults):
+                left = left if best else BETTER
+                best = sketch, other, room
+            if left <= 0 or lettered >= LABELLED or (best and not best[1].faults):
                 break
-    labels = LensedLabels(0)
+        if best:
+            return best
+        fits = {setting.room: labels.fits, **fits}
+    labels = LensedLabels(NONE)
     sketch = draw(setting.room, labels)
     assert sketch is not None
     return sketch, labels, setting.room
@@ -226,42 +208,64 @@ def _smaller_rooms(setting: Setting) -> list[Rect]:
     return [each for scale, each in sorted(scales, key=itemgetter(0)) if -scale >= least]
 
 
-def add_lenses(sketch: Sketch, scenes: Sequence[_Scene], count: int) -> bool:
-    """Add the lenses of so many close places, and tell whether there is room for them.
+class Found(NamedTuple):
+    """Lenses of a drawing that have places side by side, with that of the inset of its panel.
+
+    ``number`` is that of the choice of close places.
+    """
+
+    number: int
+    placed: list[tuple[Scene, Spot, View]]
+    inset: tuple[Inset, Corner] | None
+
+    def add(self, sketch: Sketch) -> None:
+        """Add them to the drawing."""
+        if self.inset:
+            add_inset(sketch, *self.inset)
+        for scene, spot, view in self.placed:
+            sketch.close.append(view.close)
+            scene.add(spot, view)
+
+
+def subsets(scenes: Sequence[Scene]) -> list[list[Scene]]:
+    """Return which of some close places may have lenses, the choice that tells most apart first."""
+    counts = range(len(scenes), 0, -1)
+    return [list(some) for count in counts for some in combinations(scenes, count)]
+
+
+def find_lenses(sketch: Sketch, choices: Sequence[Sequence[Scene]]) -> Found | None:
+    """Return the lenses of the first choice of close places for which there is room.
 
     The inset of a panel takes its corner before them, or else after them.
     """
     setting = sketch.setting
     room, insets = setting.room, insets_of(setting)
-    full = _field(sketch, min(each.since for each in scenes))
-    inset = first_corner(sketch.obstacles, room, insets)
-    if insets and not inset:
-        return False
-    fields = [full]
-    if inset:
-        fields.insert(0, full.less(Obstacles(room, [], [(box, ALWAYS) for box in boxes(*inset)])))
-    for some in combinations(scenes, count):
-        for field in fields:
-            found = _together(some, field)
-            if found is None:
-                continue
-            if insets and field is full:
-                taken = sketch.obstacles.copy()
-                for _, spot, _ in found:
-                    spot.block(taken, 0)
-                inset = first_corner(taken, room, insets)
-                if not inset:
-                    continue
+    full = _field(sketch, min((each.since for some in choices for each in some), default=0))
+    corners = (first_corner(sketch.obstacles, room, some) for some in (insets, insets[-1:]))
+    known = [each for each in corners if each]
+    if insets and not known:
+        return None
+    fields: list[tuple[Field, tuple[Inset, Corner] | None]] = [
+        (full.less(Obstacles(room, [], [(box, ALWAYS) for box in boxes(*inset)])), inset)
+        for inset in known
+    ] or [(full, None)]
+    for number, some in enumerate(choices):
+        for field, inset in fields:
+            placed = _together(some, field)
+            if placed:
+                return Found(number, placed, inset)
+        placed = _together(some, full) if known else None
+        if placed:
+            taken = sketch.obstacles.copy()
+            for _, spot, _ in placed:
+                spot.block(taken, 0)
+            inset = first_corner(taken, room, insets)
             if inset:
-                add_inset(sketch, *inset)
-            for scene, spot, view in found:
-                sketch.close.append(view.close)
-                scene.add(spot, view)
-            return True
-    return False
+                return Found(number, placed, inset)
+    return None
 
 
-def _together(scenes: Sequence[_Scene], field: Field) -> list[tuple[_Scene, Spot, View]] | None:
+def _together(scenes: Sequence[Scene], field: Field) -> list[tuple[Scene, Spot, View]] | None:
     """Return the places of lenses side by side, and what they show; None where one has none.
 
     Of two, the one that takes its place first leaves more room if it is smaller.
@@ -269,7 +273,7 @@ def _together(scenes: Sequence[_Scene], field: Field) -> list[tuple[_Scene, Spot
     for first in (0, RADII - 2) if len(scenes) > 1 else (0,):
         for order in dict.fromkeys((tuple(scenes), tuple(reversed(scenes)))):
             room = field
-            found: list[tuple[_Scene, Spot, View]] = []
+            found: list[tuple[Scene, Spot, View]] = []
             for scene in order:
                 fitting = scene.place(room, 0 if found else first)
                 if fitting is None and not found and not first:
@@ -281,133 +285,6 @@ def _together(scenes: Sequence[_Scene], field: Field) -> list[tuple[_Scene, Spot
             if len(found) == len(scenes):
                 return found
     return None
-
-
-class _Scene:
-    """What is seen of a close place, at any place of its lens."""
-
-    def __init__(self, sketch: Sketch, close: Close) -> None:
-        self._sketch, self._close = sketch, close
-        self._views: dict[float, View | None] = {}
-        self._radii: list[float] = np.linspace(largest(sketch.setting), SMALLEST, RADII).tolist()
-        most = self._radii[0] + max(map(abs, ASIDES))
-        wide = Lens(close.middle, LEAST_RING, close.factor, 0j, most)
-        solved = wide.solved(sketch.solved)
-        self._whole: Whole = []
-        for item in sorted(sketch.items, key=lambda item: item.level):
-            if item.until != FOREVER or item.level not in _SHOWN:
-                continue
-            marks = [
-                (mark, shape)
-                for mark in item.marks
-                if not (mark.hangs is None or isinstance(mark.hangs, OnPage))
-                if mark.role not in _NOT_SHOWN and (shape := mark.hangs.posed(solved))
-                if wide.cut(shape)
-            ]
-            if marks:
-                self._whole.append((item, marks))
-
-    def place(self, field: Field, first: int) -> tuple[Spot, View] | None:
-        """Return the best place of a lens, and what is seen there, without the ``first`` radii."""
-        own = [radius for radius in self._radii[first:] if self._view(radius)]
-        for spot in field.places(self._sketch.setting, self._sketch.scale, self._close, own):
-            view = self._view(spot.lens.radius)
-            assert view is not None
-            return replace(spot, lens=replace(spot.lens, aside=view.lens.aside)), view
-        return None
-
-    @property
-    def since(self) -> int:
-        """The beat in which there is something to tell apart."""
-        return self._close.since
-
-    @property
-    def has_letters(self) -> bool:
-        """Whether all that a lens shows has its letters there."""
-        return any(map(self._view, self._radii[::2]))
-
-    def add(self, spot: Spot, view: View) -> None:
-        """Add a lens with what it shows, and its letters."""
-        sketch, lens, close = self._sketch, spot.lens, view.close
-        since, span = close.since, (close.since, FOREVER)
-        stroke = sketch.setting.panel.strokes[close.stroke]
-        sketch.add(stroke, Level.LENS, since, on_page([disc(lens.at, lens.radius, "lens")]))
-        shown = self._shown(lens)
-        sketch.items += shown
-        sketch.add(stroke, Level.LENS, since, on_page(spot.frame()))
-
-        def through(mark: Mark) -> Mark:
-            assert mark.hangs is not None
-            return replace(mark, hangs=Seen(mark.hangs, lens))
-
-        for number, placed in view.letters:
-            vertex = _through(sketch.vertices[number], lens, view.in_line)
-            there = _moved(placed, lens.at)
-            add_letters(sketch, vertex, there, view.size, span, Level.LENS, through)
-        spot.block(sketch.obstacles, since)
-        sketch.obstacles.lines += [(*each[:3], span) for each in _crowd(lens, shown).lines]
-        sketch.lenses.append(lens)
-
-    def _shown(self, lens: Lens) -> list[Item]:
-        """Return what a lens shows of the items of a picture, each once its stroke is drawn."""
-        found: list[Item] = []
-        since = self._close.since
-        for item, marks in self._whole:
-            seen = [
-                replace(mark, shape=shape, growth=None, hangs=Seen(mark.hangs, lens))
-                for mark, whole in marks
-                if mark.hangs and (shape := lens.cut(whole.mapped(1.0, lens.at + lens.aside)))
-            ]
-            if seen:
-                first = max(item.since + item.grows, since)
-                found.append(replace(item, level=Level.LENS, marks=tuple(seen), since=first))
-        return found
-
-    def _view(self, radius: float) -> View | None:
-        """Return what a lens of a radius shows about the origin; None where letters lack room."""
-        if radius not in self._views:
-            views = (view and view.within(radius) for view in self._views.values())
-            self._views[radius] = next(filter(None, views), None) or self._seen(radius)
-        return self._views[radius]
-
-    def _seen(self, radius: float) -> View | None:
-        """Return what a lens shows: every vertex that it shows has its letters beside its dot.
-
-        Where one has no place, they are smaller, or the lens is moved a little over what it shows.
-        """
-        close, sketch = self._close, self._sketch
-        needed = set(close.members[: close.needed])
-        for off in ASIDES:
-            lens = Lens(close.middle, LEAST_RING, close.factor, 0j, radius, off)
-            offs = [abs(lens(vertex.at)) for vertex in sketch.vertices]
-            inside = [number for number, each in enumerate(offs) if each < radius]
-            if not needed.issubset(inside) or max(offs[n] for n in inside) > radius - INNER:
-                continue
-            first = (*(n for n in close.members if n in inside), *inside)
-            some = replace(close, members=tuple(dict.fromkeys(first)))
-            crowd = _crowd(lens, self._shown(lens))
-            least = _letters(sketch, some, lens, crowd, *LETTERS[-1])
-            for size, in_line in LETTERS if least else ():
-                letters = _letters(sketch, some, lens, crowd, size, in_line)
-                if letters:
-                    dots = [lens(sketch.vertices[number].at) for number, _ in letters]
-                    return View(lens, some, size, in_line, letters, dots)
-        return None
-
-
-def _reach(box: Rect) -> float:
-    """Return how far a box reaches from the origin."""
-    return math.hypot(max(-box.left, box.right), max(-box.bottom, box.top))
-
-
-def _moved(placed: Placed, by: complex) -> Placed:
-    """Return a placed label moved, with its leader."""
-    ends = placed.leader
-    return replace(
-        placed,
-        centre=placed.centre + by,
-        leader=ends and (ends[0] + by, ends[1] + by),
-    )
 
 
 def _field(sketch: Sketch, since: int) -> Field:
@@ -427,42 +304,6 @@ def _field(sketch: Sketch, since: int) -> Field:
     for vertex in sketch.vertices:
         soft.disc(vertex.at, ROOMY)
     return Field.of(room, taken, soft)
-
-
-def _crowd(lens: Lens, shown: Iterable[Item]) -> Obstacles:
-    """Return what letters keep clear of in a lens: as beside it, not of tints and faint lines."""
-    seen = Obstacles(lens.box.inside(BAND))
-    seen.line(circle(lens.at, lens.radius), ROLES["lens rim"].width / 2)
-    for item in shown:
-        for mark in item.marks:
-            if mark.role not in (FAINT, TINT):
-                block(seen, mark.shape, ROLES[mark.role].width / 2)
-    return seen
-
-
-def _letters(
-    sketch: Sketch,
-    close: Close,
-    lens: Lens,
-    crowd: Obstacles,
-    size: float,
-    in_line: int,
-) -> list[tuple[int, Placed]]:
-    """Return the letters of a lens by the numbers of vertices, none where one lacks a place."""
-    vertices = [_through(vertex, lens, in_line) for vertex in sketch.vertices]
-    wishes = [wish(vertices[each], vertices, 0.0, NEAR, size) for each in close.members]
-    if not all(near_places(crowd, each) for each in wishes):
-        return []
-    found = list(place_all(crowd.copy(), wishes))
-    if any(placed.forced or placed.leader for _, placed in found):
-        return []
-    return [(close.members[number], placed) for number, placed in found]
-
-
-def _through(vertex: Vertex, lens: Lens, in_line: int) -> Vertex:
-    """Return a vertex where a lens shows it."""
-    points = {lens(place): anchor for place, anchor in vertex.points.items()}
-    return Vertex(points, vertex.letters, vertex.ways, in_line)
 
 
 def _for_a_time(

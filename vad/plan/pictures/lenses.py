@@ -78,11 +78,12 @@ class Words(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Spot:
-    """Where a lens stands, and the middle of its words."""
+    """Where a lens stands, the middle of its words, and how much its leader lies on strokes."""
 
     lens: Lens
     words: Words
     middle: complex
+    covered: float = 0.0
 
     def frame(self) -> Iterator[Mark]:
         """Yield its rim over a band, the circle about its place, its leader and its words."""
@@ -178,23 +179,24 @@ class Field:
                 fits = np.flatnonzero((clear >= room_for + CLEAR) & (beyond >= room_for) & apart)
                 best = fits[np.argsort(cost[fits], kind="stable")][:TRIED]
                 spots = self._with_words(lens, words, grid[best].tolist())
-                covered, spot = self._least_covered(spots)
+                spot = self._least_covered(spots)
                 if spot is None:
                     continue
                 tried.add(radius)
-                if covered:
+                if spot.covered:
                     crossing.append(spot)
                 else:
                     yield spot
-        yield from crossing
+        yield from sorted(crossing, key=lambda spot: spot.covered)
 
     def _with_words(self, lens: Lens, words: Words, places: list[complex]) -> list[Spot]:
         """Return the lens at some of the places, with its words below it or else above it."""
         box, inner = words.box(0j), self.room.inside(CLEAR)
         low, high = complex(box.left, box.bottom), complex(box.right, box.top)
         found: dict[complex, Spot] = {}
-        for side in (-1j, 1j):
-            off = side * (lens.radius + BELOW + words.high / 2)
+        for side in (-1j, 1j, 1.0 + 0j, -1.0 + 0j):
+            half = abs(side.real) * words.wide / 2 + abs(side.imag) * words.high / 2
+            off = side * (lens.radius + BELOW + half)
             middles = [at + off for at in places]
             free = self.obstacles.free(middles, words.wide, words.high, CLEAR, APART)
             for at, middle, is_free in zip(places, middles, free.tolist(), strict=True):
@@ -205,19 +207,19 @@ class Field:
                     found.setdefault(at, Spot(replace(lens, at=at), words, middle))
         return [found[at] for at in places if at in found]
 
-    def _least_covered(self, spots: list[Spot]) -> tuple[float, Spot | None]:
-        """Return the first lens whose leader lies on least, and on how much; none on words."""
+    def _least_covered(self, spots: list[Spot]) -> Spot | None:
+        """Return the first lens whose leader lies on least; it lies on no words."""
         leaders = [spot.lens.leader for spot in spots]
         if not leaders:
-            return 0.0, None
+            return None
         free = self.obstacles.clear_of_labels(leaders, 2.0 * PIXEL)
-        best: tuple[float, Spot | None] = np.inf, None
+        best: Spot | None = None
         for number in np.flatnonzero(free).tolist():
             start, end = leaders[number]
             start += OFF_RING * (end - start) / abs(end - start)
             covered = self.obstacles.covered(start, end)
-            if covered < best[0]:
-                best = covered, spots[number]
+            if best is None or covered < best.covered:
+                best = replace(spots[number], covered=covered)
             if not covered:
                 break
         return best

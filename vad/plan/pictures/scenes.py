@@ -1,0 +1,268 @@
+"""What a lens shows of a close place: its strokes, its dots, and the letters of all of them.
+
+The letters of a lens keep clear of what it shows.  Where they have no room beside their dots they
+are smaller, or the lens is moved a little over the place, or they stand apart.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from vad.plan.anchors import OnPage, on_page
+from vad.plan.geometry import Rect
+from vad.plan.items import FOREVER, Item, Level
+from vad.plan.labels.close import LEAST_RING, SMALLEST, USUAL, largest
+from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.placing import CLEARANCE, Placed, distance, near_places, place_all
+from vad.plan.labels.vertices import IN_LINE, Vertex, add_letters, wish
+from vad.plan.lens import BAND, Lens, Seen, block, circle
+from vad.plan.marks import Mark, Outline, disc
+from vad.plan.pictures.lenses import Field, Spot
+from vad.plan.roles import ROLES
+from vad.plan.sketch import Close, Sketch
+
+#: How many radii are tried.
+RADII = 5
+#: So much of a leader lies on a stroke that it crosses squarely.
+CROSSED = 7.0 * PIXEL
+#: The sizes of letters in a lens, and how many stand in one line.
+LETTERS = ((0.036, IN_LINE), (0.030, IN_LINE), (0.030, 2))
+#: How far and where a lens may be moved over what it shows, and from there to its rim at least.
+ASIDES = (0j, *(off * way for off in (0.022, 0.045) for way in (1j, -1j, -1.0 + 0j, 1.0 + 0j)))
+INNER = 0.018
+#: Of so many vertices that look like one, letters may stand apart; at so many places that is tried.
+CROWDED, LED = 3, 3
+NEAR = (0.010, 0.014, 0.020, 0.028, 0.037)
+_SHOWN = (Level.GROUND, Level.CONSTRUCTION, Level.CARRIER, Level.BLOCK, Level.STROKE, Level.DOT)
+#: What is written about a picture, and so does not belong to the place.
+_NOT_SHOWN = {"angle", "axis", "sense", "speed", "notes", "scale bar", "right angle", "stub"}
+#: A faint line, which a lens may cover; letters may stand on it, and on a tint.
+FAINT, TINT = "construction done", "plate"
+
+
+class View(NamedTuple):
+    """What a lens about the origin shows, and the places of its letters, of one size.
+
+    Letters have the numbers of their vertices.
+    """
+
+    lens: Lens
+    close: Close
+    size: float
+    in_line: int
+    letters: list[tuple[int, Placed]]
+
+    def within(self, radius: float, vertices: Sequence[Vertex]) -> View | None:
+        """Return it in a smaller lens; None where a letter would not be in it."""
+        inner = radius - ROLES["lens rim"].width - CLEARANCE
+        if any(_reach(placed.box) > inner for _, placed in self.letters):
+            return None
+        if any(abs(self.lens(vertices[n].at)) > radius - INNER for n in self.close.members):
+            return None
+        return self._replace(lens=replace(self.lens, radius=radius))
+
+
+#: The items that a lens shows, with the shapes of their marks at its scale, about the origin.
+Whole = list[tuple[Item, list[tuple[Mark, Outline]]]]
+
+
+class Scene:
+    """What is seen of a close place, at any place of its lens."""
+
+    def __init__(self, sketch: Sketch, close: Close) -> None:
+        self._sketch, self._close = sketch, close
+        self._views: dict[float, View | None] = {}
+        self._radii: list[float] = np.linspace(largest(sketch.setting), SMALLEST, RADII).tolist()
+        most = self._radii[0] + max(map(abs, ASIDES))
+        wide = Lens(close.middle, LEAST_RING, close.factor, 0j, most)
+        solved = wide.solved(sketch.solved)
+        self._whole: Whole = []
+        for item in sorted(sketch.items, key=lambda item: item.level):
+            if item.until != FOREVER or item.level not in _SHOWN:
+                continue
+            marks = [
+                (mark, shape)
+                for mark in item.marks
+                if not (mark.hangs is None or isinstance(mark.hangs, OnPage))
+                if mark.role not in _NOT_SHOWN and (shape := mark.hangs.posed(solved))
+                if wide.cut(shape)
+            ]
+            if marks:
+                self._whole.append((item, marks))
+        self._strokes = Obstacles(sketch.setting.room)
+        for mark, shape in (each for _, marks in self._whole for each in marks):
+            if mark.role not in (FAINT, TINT):
+                block(self._strokes, shape, ROLES[mark.role].width / 2)
+
+    def place(self, field: Field, first: int) -> tuple[Spot, View] | None:
+        """Return the best place of a lens, and what is seen there, without the ``first`` radii."""
+        own = [radius for radius in self._radii[first:] if self._view(radius)]
+        for spot in field.places(self._sketch.setting, self._sketch.scale, self._close, own):
+            if spot.covered > CROSSED and self._close.factor > USUAL:
+                continue  # points so near are not worth a leader across the drawing
+            view = self._view(spot.lens.radius)
+            assert view is not None
+            return replace(spot, lens=replace(spot.lens, aside=view.lens.aside)), view
+        return None
+
+    @property
+    def since(self) -> int:
+        """The beat in which there is something to tell apart."""
+        return self._close.since
+
+    @property
+    def shown(self) -> Collection[int]:
+        """The vertices that a lens shows, by their numbers; none where letters lack room."""
+        view = next(filter(None, map(self._view, self._radii[::2])), None)
+        return view.close.members if view else ()
+
+    def add(self, spot: Spot, view: View) -> None:
+        """Add a lens with what it shows, and its letters."""
+        sketch, lens, close = self._sketch, spot.lens, view.close
+        since, span = close.since, (close.since, FOREVER)
+        stroke = sketch.setting.panel.strokes[close.stroke]
+        sketch.add(stroke, Level.LENS, since, on_page([disc(lens.at, lens.radius, "lens")]))
+        shown = self._shown(lens)
+        sketch.items += shown
+        sketch.add(stroke, Level.LENS, since, on_page(spot.frame()))
+
+        def through(mark: Mark) -> Mark:
+            assert mark.hangs is not None
+            return replace(mark, hangs=Seen(mark.hangs, lens))
+
+        for number, placed in view.letters:
+            vertex = _through(sketch.vertices[number], lens, view.in_line)
+            there = _moved(placed, lens.at)
+            add_letters(sketch, vertex, there, view.size, span, Level.LENS, through)
+        spot.block(sketch.obstacles, since)
+        sketch.obstacles.lines += [(*each[:3], span) for each in _crowd(lens, shown).lines]
+        sketch.lenses.append(lens)
+
+    def _shown(self, lens: Lens) -> list[Item]:
+        """Return what a lens shows of the items of a picture, each once its stroke is drawn."""
+        found: list[Item] = []
+        since = self._close.since
+        for item, marks in self._whole:
+            seen = [
+                replace(mark, shape=shape, growth=None, hangs=Seen(mark.hangs, lens))
+                for mark, whole in marks
+                if mark.hangs and (shape := lens.cut(whole.mapped(1.0, lens.at + lens.aside)))
+            ]
+            if seen:
+                first = max(item.since + item.grows, since)
+                found.append(replace(item, level=Level.LENS, marks=tuple(seen), since=first))
+        return found
+
+    def _crowd(self, lens: Lens) -> Obstacles:
+        """Return what letters keep clear of in a lens: as beside it, not tints and faint lines."""
+        by = lens.at + lens.aside
+        lines = [
+            (start + by, end + by, half, span) for start, end, half, span in self._strokes.lines
+        ]
+        crowd = Obstacles(lens.box.inside(BAND), lines)
+        crowd.line(circle(lens.at, lens.radius), ROLES["lens rim"].width / 2)
+        return crowd
+
+    def _view(self, radius: float) -> View | None:
+        """Return what a lens of a radius shows about the origin; None where letters lack room."""
+        if radius not in self._views:
+            views = (
+                view and view.within(radius, self._sketch.vertices) for view in self._views.values()
+            )
+            self._views[radius] = next(filter(None, views), None) or self._seen(radius)
+        return self._views[radius]
+
+    def _seen(self, radius: float) -> View | None:
+        """Return what a lens shows: every vertex that it shows has its letters beside its dot.
+
+        Where one has no place, they are smaller, or the lens is moved a little over what it shows.
+        """
+        sketch, settings = self._sketch, list[tuple[Lens, Close, Obstacles]]()
+        needed = set(self._close.members[: self._close.needed])
+        for off in ASIDES:
+            lens = Lens(self._close.middle, LEAST_RING, self._close.factor, 0j, radius, off)
+            offs = [abs(lens(vertex.at)) for vertex in sketch.vertices]
+            inside = [number for number, each in enumerate(offs) if each < radius]
+            if not needed.issubset(inside) or max(offs[n] for n in inside) > radius - INNER:
+                continue
+            first = (*(n for n in self._close.members if n in inside), *inside)
+            close = replace(self._close, members=tuple(dict.fromkeys(first)))
+            crowd = self._crowd(lens)
+            least = _letters(sketch, close, lens, crowd, *LETTERS[-1])
+            for size, in_line in LETTERS if least else ():
+                letters = _letters(sketch, close, lens, crowd, size, in_line)
+                if letters:
+                    return View(lens, close, size, in_line, letters)
+            settings.append((lens, close, crowd))
+        led = settings[:LED] if radius == self._radii[0] and len(needed) >= CROWDED else []
+        for lens, close, crowd in led:
+            letters = _letters(sketch, close, lens, crowd, *LETTERS[-1], led=True)
+            if letters:
+                return View(lens, close, *LETTERS[-1], letters)
+        return None
+
+
+def _reach(box: Rect) -> float:
+    """Return how far a box reaches from the origin."""
+    return math.hypot(max(-box.left, box.right), max(-box.bottom, box.top))
+
+
+def _moved(placed: Placed, by: complex) -> Placed:
+    """Return a placed label moved, with its leader."""
+    ends = placed.leader
+    return replace(
+        placed,
+        centre=placed.centre + by,
+        leader=ends and (ends[0] + by, ends[1] + by),
+    )
+
+
+def _crowd(lens: Lens, shown: Iterable[Item]) -> Obstacles:
+    """Return what letters keep clear of in a lens: as beside it, not of tints and faint lines."""
+    seen = Obstacles(lens.box.inside(BAND))
+    seen.line(circle(lens.at, lens.radius), ROLES["lens rim"].width / 2)
+    for item in shown:
+        for mark in item.marks:
+            if mark.role not in (FAINT, TINT):
+                block(seen, mark.shape, ROLES[mark.role].width / 2)
+    return seen
+
+
+def _letters(
+    sketch: Sketch,
+    close: Close,
+    lens: Lens,
+    crowd: Obstacles,
+    size: float,
+    in_line: int,
+    led: bool = False,
+) -> list[tuple[int, Placed]]:
+    """Return the letters of a lens by the numbers of vertices, none where one lacks a place.
+
+    Those that have none beside their dots stand apart where they may be ``led``.
+    """
+    vertices = [_through(vertex, lens, in_line) for vertex in sketch.vertices]
+    wishes = [wish(vertices[each], vertices, 0.0, NEAR, size) for each in close.members]
+    if not led and not all(near_places(crowd, each) for each in wishes):
+        return []
+    found = list(place_all(crowd.copy(), wishes))
+    for number, placed in found:
+        far = distance(placed.box, wishes[number].at) > NEAR[-1] + PIXEL
+        if (
+            placed.forced
+            or placed.crosses
+            or (placed.leader if not led else far and not placed.leader)
+        ):
+            return []
+    return [(close.members[number], placed) for number, placed in found]
+
+
+def _through(vertex: Vertex, lens: Lens, in_line: int) -> Vertex:
+    """Return a vertex where a lens shows it."""
+    points = {lens(place): anchor for place, anchor in vertex.points.items()}
+    return Vertex(points, vertex.letters, vertex.ways, in_line)
