@@ -65,3 +65,21 @@ def test_rounding_noise_is_zero(browser: Browser, tmp_path: Path) -> None:
         cells = page.locator(".results .cell")
         expect(cells.nth(-2)).to_have_text("a= 0 mm/s²")
         assert not [text for text in cells.all_inner_texts() if "×10⁻" in text]
+
+
+def test_a_sense_in_the_table_goes_under_the_hand_and_leaves_the_unit(
+    browser: Browser, tmp_path: Path
+) -> None:
+    """A rate has one where the drawing has no clear room for its arrow."""
+    said = """() => [...document.querySelectorAll(".cell")].map((each) => each.textContent)
+        .filter((each) => each.startsWith("α2"))"""
+    with opened(browser, viewport={"width": 1280, "height": 720}, reduced_motion="reduce") as page:
+        opened_hand(page, tmp_path, "tipper")
+        press(page, "h")
+        expect(page.locator(".turned")).to_have_count(0)
+        (before,) = page.evaluate(said)
+        assert before.endswith("rad/s2\xa0↻")
+        press(page, "h")
+        page.evaluate(_WALK)
+        (after,) = page.evaluate(said)
+        assert after.endswith("rad/s²")
