@@ -158,10 +158,10 @@ def test_a_rate_without_clear_room_has_its_sense_in_the_table():
     assert not drawn(vad.FourBar()).turns
 
 
-@pytest.mark.parametrize("place", [6, 9])
-def test_the_arc_of_an_angle_reads_as_one(place):
+@pytest.mark.parametrize(("name", "place"), [("four-bar", 9), ("scotch-yoke", 7)])
+def test_the_arc_of_an_angle_reads_as_one(name, place):
     """It is whole beneath the links, or has another radius, rather than in crumbs."""
-    sketch = posed("four-bar", place).sketches["position"]
+    sketch = posed(name, place).sketches["position"]
     bows = [m.shape for i in sketch.items for m in i.marks if m.role == "angle"]
     [shape] = [s.shape for s in sketch.setting.panel.strokes if s.name == "AB.angle"]
     left = sum(abs(bow.sweep) for bow in bows) / abs(shape.sweep)
