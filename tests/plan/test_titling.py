@@ -14,7 +14,9 @@ from vad.files.examples import example_path
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.items import TITLE
+from vad.plan.layout import TOP_RULE
 from vad.plan.lettering.glyphs import width
+from vad.plan.page.heads import PAGE_TITLE, READABLE, SMALLEST_PARAMETERS
 
 OWN = {"title": "Exercise 4", "subtitle": "Theory of Machines"}
 MOTION = vad.solve(vad.SliderCrank())
@@ -48,9 +50,27 @@ def test_many_parameters_beside_a_long_title_stand_in_three_lines():
     name, *given = titles(sheet, (960, 720)).values()
     assert len({line.at.imag for line in given}) == 3
     for line in given:
-        assert line.size > 0.019
-        assert line.at.imag + 0.75 * line.size < 1.0
+        assert line.size > 0.0219
+        assert line.at.imag + 0.75 * line.size < 0.99
+        assert line.at.imag - 0.25 * line.size > 1.0 - TOP_RULE
         assert line.at.real > name.at.real + width(name.runs, name.size)
+
+
+def test_a_long_title_becomes_smaller_before_the_parameters_beside_it_do():
+    sheet = vad.draw(vad.solve(vad.RSSR()))
+    name, *given = titles(sheet, (960, 720)).values()
+    assert PAGE_TITLE[1] <= name.size < PAGE_TITLE[0]
+    assert min(line.size for line in given) == pytest.approx(READABLE)
+    for line in given:
+        assert line.at.real > name.at.real + width(name.runs, name.size)
+
+
+@pytest.mark.parametrize(("name", "language"), [("pin-on-rocker", "de"), ("beam-engine", "fr")])
+def test_the_longest_titles_have_room_at_four_to_three(name, language):
+    sheet = vad.draw(vad.solve(vad.load(example_path(name))()), language=language)
+    title, *given = titles(sheet, (960, 720)).values()
+    assert title.size >= PAGE_TITLE[1]
+    assert min(line.size for line in given) >= SMALLEST_PARAMETERS
 
 
 def test_a_title_without_a_subtitle_stands_where_the_name_stood():

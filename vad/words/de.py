@@ -376,8 +376,8 @@ PHRASES = {
     ),
     "bodies fold again": "Wieder wird diese Ebene um *OI* ins Blatt umgeklappt.",
     "bodies sines": (
-        "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
-        "{di}°."
+        "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / "
+        "sin({di}°)."
     ),
     # --- Wellen und Motoren
     "balance axis": "{axis} ist die Achse der Welle, von ihrem Ende gesehen.",

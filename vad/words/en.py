@@ -378,8 +378,8 @@ PHRASES = {
     ),
     "bodies fold again": "Again this plane is turned about *OI* into the paper.",
     "bodies sines": (
-        "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
-        "{di}°."
+        "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / "
+        "sin({di}°)."
     ),
     # --- shafts and engines
     "balance axis": "{axis} is the axis of the shaft, seen from its end.",

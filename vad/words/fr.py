@@ -378,8 +378,8 @@ PHRASES = {
     ),
     "bodies fold again": "De nouveau, ce plan est rabattu autour de *OI*.",
     "bodies sines": (
-        "{label} = {symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin {ai}° / sin "
-        "{di}°."
+        "{label} = {symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / "
+        "sin({di}°)."
     ),
     # --- arbres et moteurs
     "balance axis": "{axis} est l’axe de l’arbre, vu de son bout.",

@@ -181,6 +181,7 @@ def test_every_caption_is_a_sentence(mechanism: Any, code: str) -> None:
         for stroke in (stroke for panel in sheet.halves for stroke in panel.strokes):
             assert re.fullmatch(r".*[^\s.,;:]\.", stroke.caption), stroke.caption
             assert not re.search(r"\s\s|[{}\x02\x03]|\s[.,]", stroke.caption), stroke.caption
+            assert not re.search("(sin|cos|tan|[×/]) ?−", stroke.caption), stroke.caption
 
 
 @each_kind

@@ -34,9 +34,11 @@ TITLE_SHARE = 0.6
 #: How far a subtitle is below the usual place of the title, and the title above a subtitle.
 SUBTITLE_DROP, SUBTITLE_PITCH = 0.010, 0.038
 PARAMETERS = 0.032
-LEAST_PARAMETERS = 0.028
-SMALLEST_PARAMETERS = 0.014  # beside a long title
-IN_THREE = 0.0195  # much smaller ones stand in three lines, which are no larger
+LEAST_PARAMETERS = 0.028  # in one line, and the most in two
+#: The title becomes smaller for parameters that would be smaller than this, which is their size in
+#: three lines; beside a very long title they may be of the other size.
+READABLE, SMALLEST_PARAMETERS = 0.022, 0.014
+THREE_DROP = 0.012  # of three lines below the usual place
 EQUATION_SIZE = 0.036
 LEAST_EQUATION = 0.034  # below this a loop takes two lines
 SPACE = 0.24  # about a sign, in type sizes
@@ -46,6 +48,8 @@ READING = 0.030
 LEAST_READING = 0.022
 #: The room that one of them takes.
 COLUMN = 0.58
+#: What is given in the title, each in pieces.
+Parameters = Sequence[tuple[TextPiece, ...]]
 
 
 def head(
@@ -91,32 +95,38 @@ def _head(panel: Panel, place: PanelPlace, size: float) -> list[Mark]:
 def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
     """Return the title and the parameters, which take two or three lines where one has no room.
 
-    A subtitle stands below the title, which moves up for it.
+    The title becomes smaller before they do.  A subtitle stands below it, and it moves up for that.
 
     Raises
     ------
     vad.errors.UsageError
         If the title or the subtitle is too long for the page.
     """
-    items, low = parameters(sheet), page.title - (SUBTITLE_DROP if sheet.subtitle else 0.0)
-    half = (len(items) + 1) // 2
-    halves = [items[:half], items[half:]]
-    room = page.right - page.left - 0.04
-    most = room - _widest(halves) * SMALLEST_PARAMETERS
-    usual, named, at = TITLE_SHARE * (page.right - page.left), [], complex(page.left, low)
+    low = page.title
+    at = complex(page.left, low)
+    lines = [("title", bold(roman(sheet.title)), PAGE_TITLE, at)]
     if sheet.subtitle:
-        named.append(_named("subtitle", roman(sheet.subtitle), at, SUBTITLE, usual, most))
-        at += 1j * SUBTITLE_PITCH
-    title = PAGE_TITLE_ABOVE if sheet.subtitle else PAGE_TITLE
-    named.append(_named("title", bold(roman(sheet.title)), at, title, usual, most))
-    room -= max(width(each.runs, each.size) for each in named)
-    rows = [items] if _widest([items]) * LEAST_PARAMETERS <= room else halves
-    largest = PARAMETERS if len(rows) == 1 else LEAST_PARAMETERS
-    size = min(largest, room / max(_widest(rows), 1e-9))
-    if size < 0.8 * IN_THREE:
-        third = -(-len(items) // 3)
-        rows = [row for n in range(3) if (row := items[n * third : (n + 1) * third])]
-        size = min(IN_THREE, room / _widest(rows))
+        low -= SUBTITLE_DROP
+        at -= 1j * SUBTITLE_DROP
+        lines = [
+            ("subtitle", roman(sheet.subtitle), SUBTITLE, at),
+            ("title", lines[0][1], PAGE_TITLE_ABOVE, at + 1j * SUBTITLE_PITCH),
+        ]
+    usual, room = TITLE_SHARE * (page.right - page.left), page.right - page.left - 0.04
+    natural = max(width(runs, fitted(runs, *sizes, usual)) for _, runs, sizes, _ in lines)
+    least = max(width(runs, sizes[1]) for _, runs, sizes, _ in lines)
+    one, two, three = (_in_lines(parameters(sheet), count) for count in (1, 2, 3))
+    if natural + _widest(one) * LEAST_PARAMETERS <= room:
+        rows, largest = one, PARAMETERS
+    elif least + _widest(two) * READABLE <= room:
+        rows, largest = two, LEAST_PARAMETERS
+    else:
+        rows, largest = three, READABLE
+        low -= THREE_DROP
+    wide = _widest(rows)
+    most, usual = room - wide * SMALLEST_PARAMETERS, min(usual, room - wide * READABLE)
+    named = [_named(what, runs, at, sizes, usual, most) for what, runs, sizes, at in lines]
+    size = min(largest, (room - max(width(each.runs, each.size) for each in named)) / (wide or 1.0))
     *below, above = named
     marks = [Mark(above, "words"), *(Mark(each, "notes") for each in below)]
     for depth, row in enumerate(reversed(rows)):
@@ -124,6 +134,12 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
         at = complex(page.right - width(runs, size), low + depth * 1.25 * size)
         marks.append(Mark(Lettering(runs, at, size), "notes"))
     return marks
+
+
+def _in_lines(items: Parameters, count: int) -> list[Parameters]:
+    """Return parameters in so many lines, or in fewer if they are few: the last may be shorter."""
+    share = -(-len(items) // count) or 1
+    return [items[start : start + share] for start in range(0, len(items), share)]
 
 
 def _named(
@@ -139,12 +155,12 @@ def _named(
     return Lettering(runs, at, found)
 
 
-def _widest(rows: Sequence[Sequence[tuple[TextPiece, ...]]]) -> float:
+def _widest(rows: Sequence[Parameters]) -> float:
     """Return the width of the longest row of parameters in type of size 1."""
-    return max(width(_listed(row), 1.0) for row in rows)
+    return max((width(_listed(row), 1.0) for row in rows), default=0.0)
 
 
-def _listed(items: Sequence[tuple[TextPiece, ...]]) -> Runs:
+def _listed(items: Parameters) -> Runs:
     pieces: list[TextPiece] = []
     for item in items:
         pieces += [TextPiece(",   ")] if pieces else []
