@@ -34,6 +34,7 @@ CROSSED = 7.0 * PIXEL
 LETTERS = ((0.036, IN_LINE), (0.030, IN_LINE), (0.030, 2))
 #: How far and where a lens may be moved over what it shows, and from there to its rim at least.
 ASIDES = (0j, *(off * way for off in (0.022, 0.045) for way in (1j, -1j, -1.0 + 0j, 1.0 + 0j)))
+NEARER = ASIDES[:5]  # in a smaller lens
 INNER = 0.018
 #: Of so many vertices that look like one, letters may stand apart; at so many places that is tried.
 CROWDED, LED = 3, 3
@@ -184,7 +185,7 @@ class Scene:
         """
         sketch, settings = self._sketch, list[tuple[Lens, Close, Obstacles]]()
         needed = set(self._close.members[: self._close.needed])
-        for off in ASIDES:
+        for off in ASIDES if radius == self._radii[0] else NEARER:
             lens = Lens(self._close.middle, LEAST_RING, self._close.factor, 0j, radius, off)
             offs = [abs(lens(vertex.at)) for vertex in sketch.vertices]
             inside = [number for number, each in enumerate(offs) if each < radius]
