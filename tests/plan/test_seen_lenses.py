@@ -27,7 +27,9 @@ def seen(name: str, **pose: float) -> Plan:
 @pytest.mark.parametrize(
     ("name", "pose"),
     [
-        # Where all of the drawing was between a place and its lens, this is smaller now.
+        # A drawing that stood between a place and its lens is smaller.
+        ("pin-on-rocker", {"angle": 150.0, "omega": 10.0, "alpha": 6.0}),
+        # The words of the lens have room beside it.
         ("toggle-press", {"angle": 30.0, "omega": 18.85, "alpha": 50.0}),
         # Four points stand within eight pixels: one lens shows all of them.
         ("watt-2", {"angle": 30.0, "omega": 10.0, "alpha": -20.0}),
