@@ -20,6 +20,8 @@ from vad.plan.scale import Scale
 
 #: Beyond the rim a band of the background covers the ends of lines, which are cut in its middle.
 BAND = 0.009
+#: The heights at which a circle is cut into boxes, in its radius.
+SLABS = (-1.0, -0.8, -0.45, 0.45, 0.8, 1.0)
 #: So many sides has the polygon at which areas are cut.
 SIDES = 72
 
@@ -96,6 +98,16 @@ class Lens:
         reach = self.radius + BAND
         x, y = self.at.real, self.at.imag
         return Rect(x - reach, y - reach, x + reach, y + reach)
+
+    @property
+    def slabs(self) -> list[Rect]:
+        """Boxes that cover it with its band, and little else."""
+        reach, (x, y) = self.radius + BAND, (self.at.real, self.at.imag)
+        found = []
+        for low, high in pairwise(SLABS):
+            wide = reach * math.sqrt(1.0 - min(abs(low), abs(high)) ** 2 * (low * high > 0.0))
+            found.append(Rect(x - wide, y + low * reach, x + wide, y + high * reach))
+        return found
 
     @property
     def leader(self) -> tuple[complex, complex]:

@@ -97,7 +97,8 @@ class Spot:
     def block(self, obstacles: Obstacles, since: int) -> None:
         """Add it to what other ink keeps clear of."""
         span = since, FOREVER
-        obstacles.box(self.lens.box, span)
+        for slab in self.lens.slabs:
+            obstacles.box(slab, span)
         obstacles.box(self.words.box(self.middle), span)
         obstacles.line(self.lens.leader, PIXEL, span)
         ring = circle(self.lens.place, self.lens.ring)
