@@ -16,20 +16,20 @@ from vad.plan.anchors import OnPage, Solved, on_page
 from vad.plan.geometry import Rect
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.labels.placing import APART, Placed, beside
+from vad.plan.labels.placing import APART, Placed
 from vad.plan.labels.vertices import text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import Runs, roman, symbols
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Bow, Hanging, Mark, Outline, area, disc, line
 from vad.plan.pictures.angles import sense_arrow
-from vad.plan.pictures.vectors import vector
+from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, head_length, vector
 from vad.plan.sketch import Setting, Sketch, Tag
 from vad.strokes.sheet import CoriolisInset, PolarInset
 from vad.strokes.sheet import Inset as Drawn
 from vad.words import Language
 
-NAME_SIZE = 0.030
+NAME_SIZE, NAME_OFF = 0.030, 0.008
 CAPTION_SIZE = 0.028
 CAPTION_AWAY = 0.006  # from the picture
 CAPTION_OFF = 0.020  # the edge of the panel
@@ -193,17 +193,19 @@ def _rule(
         *vector(foot, head, block, "inset arrow", whole=True),
         *sense_arrow(0j, radius, middle, sweep, lever, "inset sense", 0.8 * size),
     ]
+    wing = HEAD_HALF_WIDTH * head_length(abs(tip), whole=True)
     arc = [cmath.rect(radius, math.radians(start + share * sweep)) for share in (0.0, 0.5, 1.0)]
     reach = [*ends, *corners, tip, foot, head, *arc]
     tags: list[Tag] = []
     for text, at, way, row in (
-        ("2ωv", tip - 0.016 * size * turned, -sliding, block),
+        ("2ωv", tip - 0.016 * size * turned - wing * sliding, -sliding, block),
         ("v", foot + 0.050 * size * sliding, -turned, block),
         ("ω", radius * out, out, lever),
     ):
         runs = symbols(text)
         wide, high = ink_size(runs, NAME_SIZE)
-        where = beside(at, way, 0.010, wide, high)
+        half = (abs(way.real) * wide + abs(way.imag) * high) / 2  # all of it is beside its arrow
+        where = at + (NAME_OFF + half) * way
         marks.append(text_at(runs, runs, where, NAME_SIZE, "tag", row))
         placed = Placed(where, wide, high).box
         tags.append(Tag(text, placed))
