@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 
@@ -17,17 +17,21 @@ from numpy.typing import NDArray
 
 from vad.plan.geometry import Rect
 from vad.plan.items import ALWAYS, Span
-from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.obstacles import PIXEL, Complexes, Obstacles, Reals
 
 GAP = 0.014
 CLEARANCE = 0.006
 #: Between labels, aside and above: half an em, so that "A" beside "C" never reads "AC".
 APART = 0.020 + 0.010j
+#: The same where nothing else is left.
+TIGHT = 0.006 + 0j
 LEADER = 0.06
 WAYS = 32  # about a dot
 MOST_LEADERS = 160  # tried at each distance
 #: So many places for a label far from its dot are looked at together.
 _AT_ONCE = 256
+#: Of so many leaders is found together what they cross.
+_TOGETHER = 20
 #: The places that are tried all over a panel are so far apart.
 STEP = 0.008
 LENGTH_COUNTS = 0.5  # of a leader, beside how much of it lies on strokes
@@ -36,6 +40,12 @@ STRANGE = 20.0 * PIXEL
 #: A label is so much nearer to its own dot than to others; of one close by at least by so much of
 #: the distance of the dots.
 NEARER, BEYOND = 1.4, 0.5
+#: So near, a label is beside its dot, whatever is on its other side; one between two dots is better
+#: off with a leader that is no longer than this.
+BESIDE, SHORT = 16.0 * PIXEL, 70.0 * PIXEL
+#: A leader that passes another dot nearer than that may seem to end there; it counts as much as one
+#: that lies so far on strokes.
+PASSED, PASSING = 9.0 * PIXEL, 0.10
 #: A leader ends so far from the rim of its dot, and on it where another dot is that near.
 OFF, CLOSE_BY = 0.010, 0.035
 
@@ -44,8 +54,8 @@ OFF, CLOSE_BY = 0.010, 0.035
 class Placed:
     """Where a label's ink box goes; ``leader`` is a line to its dot where it stands far off.
 
-    It is ``forced`` where no place was clear of everything; its leader ``crosses`` a stroke where
-    every one does.
+    It is ``forced`` where no place was clear of everything, or each leader met another label; its
+    leader ``crosses`` a stroke where every one does.
     """
 
     centre: complex
@@ -161,18 +171,76 @@ def _turns(count: int) -> NDArray[np.complex128]:
 def place_all(obstacles: Obstacles, wishes: Sequence[Wish]) -> Iterator[tuple[int, Placed]]:
     """Place labels, and yield each with its number.
 
-    The label with the fewest places near its dot comes next.  One without any comes last, so that
-    it takes no place of another label.
+    Those that have a place beside their dots come first.  The others have leaders, and take no
+    place of another label.
     """
     near = {number: near_places(obstacles, wish) for number, wish in enumerate(wishes)}
-    # Each round places one label.
-    while near:
-        number = min(near, key=lambda each: len(near[each]) or math.inf)
-        spots = near.pop(number)
-        placed = spots[0] if spots else _far_off(obstacles, wishes[number])
-        _settle(obstacles, placed, wishes[number].span)
-        near = {each: [s for s in spots if _apart(s, placed)] for each, spots in near.items()}
-        yield number, placed
+    beside_dots = assigned(near)
+    for number, placed in beside_dots.items():
+        if _names(placed, wishes[number]):
+            _settle(obstacles, placed, wishes[number].span)
+            yield number, placed
+    for number, wish in enumerate(wishes):
+        spot = beside_dots.get(number)
+        if spot is None or not _names(spot, wish):
+            placed = _led_off(obstacles, wish, spot)
+            _settle(obstacles, placed, wish.span)
+            yield number, placed
+
+
+def assigned(near: Mapping[int, Sequence[Placed]]) -> dict[int, Placed]:
+    """Return a place of each label, as far as there are places near the dots for all.
+
+    The label with the fewest places left comes next.  One without any takes the place of another
+    that can stand elsewhere.
+    """
+    found: dict[int, Placed] = {}
+    left = dict(near)
+    # Each round places one label, or finds that it has no place.
+    while left:
+        number = min(left, key=lambda each: len(left[each]))
+        spots = left.pop(number)
+        taken = {number: spots[0]} if spots else _moved_aside(near, found, number)
+        found |= taken
+        for placed in taken.values():
+            left = {each: [s for s in some if _apart(s, placed)] for each, some in left.items()}
+    return found
+
+
+def _moved_aside(
+    near: Mapping[int, Sequence[Placed]], found: Mapping[int, Placed], number: int
+) -> dict[int, Placed]:
+    """Return a place of a label and another one of that which stood there; none if that stays."""
+    for spot in near[number]:
+        met = [each for each, placed in found.items() if not _apart(spot, placed)]
+        if len(met) != 1:
+            continue
+        others = [spot, *(placed for each, placed in found.items() if each != met[0])]
+        for other in near[met[0]]:
+            if all(_apart(other, each) for each in others):
+                return {number: spot, met[0]: other}
+    return {}
+
+
+def _names(spot: Placed, wish: Wish) -> bool:
+    """Tell whether a label beside its dot is seen to name that."""
+    return distance(spot.box, wish.at) < BESIDE or belongs(spot.box, wish.at, wish.rivals)
+
+
+def _led_off(obstacles: Obstacles, wish: Wish, near: Placed | None) -> Placed:
+    """Return a place with a leader, or one ``near`` that may name another if none is short."""
+    led = _far_off(obstacles, wish)
+    free = near and obstacles.has_room(near.centre, wish.wide, wish.high, CLEARANCE, APART)
+    if near is None or not free:
+        return led
+    return led if is_short(led) else near
+
+
+def is_short(placed: Placed) -> bool:
+    """Tell whether a label has a short leader that crosses nothing."""
+    ends = placed.leader
+    clear = not (placed.forced or placed.crosses)
+    return ends is not None and abs(ends[0] - ends[1]) < SHORT and clear
 
 
 def place(obstacles: Obstacles, wish: Wish) -> Placed:
@@ -223,44 +291,80 @@ def _apart(spot: Placed, other: Placed) -> bool:
 
 
 def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
-    """Place a label away from its dot: its leader crosses as little as possible, and is short."""
-    least, best = math.inf, None
-    bare: Placed | None = None
+    """Place a label away from its dot: its leader crosses as little as possible, and is short.
+
+    Where every leader meets other labels, it meets the fewest; a name of a line, which has the ink
+    of that, then has none.
+    """
+    through: Placed | None = None
     for tight, centres in _far(obstacles.edge, wish):
-        if best or (bare and tight):
-            break
-        clear, apart = (0.5 * PIXEL, 0j) if tight else (CLEARANCE, APART)
-        spots = [
-            replace(_led(wish, each), forced=tight)
-            for each in _first_free(obstacles, wish, centres, clear, apart)
-        ]
-        leaders = [spot.leader or (spot.centre, spot.centre) for spot in spots]
-        through = ~obstacles.clear_of_labels(leaders, 1.5 * PIXEL)
-        for spot, (start, end), blocked in zip(spots, leaders, through.tolist(), strict=True):
-            covered = math.inf if blocked else obstacles.covered(start, end)
-            if not spot.leader or not covered:
-                return spot
-            if covered + LENGTH_COUNTS * abs(end - start) < least:
-                least = covered + LENGTH_COUNTS * abs(end - start)
-                best = replace(spot, crosses=True)
-            bare = bare or replace(spot, leader=None)
+        clear, apart = (0.5 * PIXEL, TIGHT) if tight else (CLEARANCE, APART)
+        spots = _first_led(obstacles, wish, centres, clear, apart)
+        clearly = [spot for spot, met in spots if not met]
+        if clearly:
+            best = _least_crossing(obstacles, wish, clearly)
+            return replace(best, forced=tight)
+        if spots and not through:
+            through = replace(min(spots, key=lambda each: each[1])[0], forced=True)
+    if through and not wish.near:
+        return replace(through, leader=None)
     last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high, forced=True)
-    return best or bare or last
+    return through or last
 
 
-def _first_free(
+def _first_led(
     obstacles: Obstacles, wish: Wish, centres: list[complex], clear: float, apart: complex
-) -> list[complex]:
-    """Return the first places at which a label meets nothing, as many as leaders are tried."""
-    found: list[complex] = []
+) -> list[tuple[Placed, int]]:
+    """Return the first places at which a label meets nothing, until enough leaders can be tried.
+
+    Each tells how many other labels its leader meets.
+    """
+    found: list[tuple[Placed, int]] = []
+    count = 0
     for first in range(0, len(centres), _AT_ONCE):  # on a page with room the first ones suffice
         some = centres[first : first + _AT_ONCE]
         free = obstacles.free(some, wish.wide, wish.high, clear, apart)
-        spots = (Placed(some[i], wish.wide, wish.high) for i in np.flatnonzero(free))
-        found += [spot.centre for spot in spots if not _is_strange(spot, wish)]
-        if len(found) >= MOST_LEADERS:
+        spots = [Placed(some[i], wish.wide, wish.high) for i in np.flatnonzero(free)]
+        led = [_led(wish, spot.centre) for spot in spots if not _is_strange(spot, wish)]
+        if led:
+            leaders = [spot.leader or (spot.centre, spot.centre) for spot in led]
+            met = obstacles.labels_met(leaders, 1.5 * PIXEL).tolist()
+            found += zip(led, met, strict=True)
+            count += met.count(0)
+        if count >= MOST_LEADERS:
             break
-    return found[:MOST_LEADERS]
+    return found
+
+
+def _least_crossing(obstacles: Obstacles, wish: Wish, spots: Sequence[Placed]) -> Placed:
+    """Return the place whose leader lies least on strokes, passes no other dot, and is short."""
+    least, best = math.inf, spots[0]
+    for first in range(
+        0, min(MOST_LEADERS, len(spots)), _TOGETHER
+    ):  # one of the nearest is mostly clear
+        some = spots[first : first + _TOGETHER]
+        ends = [spot.leader or (spot.centre, spot.centre) for spot in some]
+        starts, stops = np.array(ends, dtype=np.complex128).T
+        covered = obstacles.all_covered(starts, stops) + PASSING * _passed(wish, starts, stops)
+        for spot, (start, end), each in zip(some, ends, covered.tolist(), strict=True):
+            if not spot.leader or not each:
+                return spot
+            if each + LENGTH_COUNTS * abs(end - start) < least:
+                least = each + LENGTH_COUNTS * abs(end - start)
+                best = replace(spot, crosses=True)
+    return best
+
+
+def _passed(wish: Wish, starts: Complexes, ends: Complexes) -> Reals:
+    """Return how many other dots each leader passes so near that it may seem to end there."""
+    ways = ends - starts
+    long = np.maximum(np.abs(ways), 1e-9)
+    ways = ways / long
+    others = [each for each in wish.rivals if abs(each - wish.at) > wish.radius]
+    off = (np.array(others, dtype=np.complex128)[:, None] - starts) * ways.conj()
+    met = np.abs(off - np.clip(off.real, 0.0, long)) < PASSED
+    count: Reals = met.sum(axis=0).astype(np.float64)
+    return count
 
 
 def _is_strange(spot: Placed, wish: Wish) -> bool:
@@ -319,8 +423,9 @@ def _led(wish: Wish, centre: complex) -> Placed:
         min(max(at.real, centre.real - half_x), centre.real + half_x),
         min(max(at.imag, centre.imag - half_y), centre.imag + half_y),
     )
-    if abs(nearest - at) < wish.radius + 0.025:
-        return Placed(centre, wish.wide, wish.high)
+    bare = Placed(centre, wish.wide, wish.high)
+    if abs(nearest - at) < wish.radius + 0.025 and belongs(bare.box, at, wish.rivals):
+        return bare
     way = (nearest - at) / abs(nearest - at)
     alone = all(abs(rival - at) > CLOSE_BY for rival in wish.rivals)
     start = at + way * (wish.radius + (OFF if alone else 0.0))
