@@ -26,13 +26,14 @@ from vad.plan.labels.placing import (
     Placed,
     Wish,
     beside,
+    is_short,
     outward,
     place,
     place_all,
 )
 from vad.plan.lettering.glyphs import ink_size, typeset
 from vad.plan.lettering.runs import Runs, symbols
-from vad.plan.marks import Growth, Lettering, Mark, line
+from vad.plan.marks import Growth, Lettering, Mark, Polyline, line
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Arrow, Block, Dot, Panel, Plate, Stroke
@@ -355,7 +356,7 @@ def add_tag(
     """
     runs, row = symbols(text), sketch.setting.row(stroke.link)
     start, end = sketch.solved.places(ends)
-    first, last = plain(start), plain(end)
+    first, last = _drawn(sketch, stroke, plain(start), plain(end))
     placed = _along(sketch.obstacles.during(span), first, last, runs, size)
     if placed.forced:
         size *= SMALLER
@@ -376,23 +377,45 @@ def add_tag(
     sketch.tags.append(Tag(text, placed.box, span))
 
 
+def _drawn(sketch: Sketch, stroke: Stroke, start: complex, end: complex) -> tuple[complex, complex]:
+    """Return the ends of a line as it is drawn: those of a vector in a lane are aside."""
+    name, across = sketch.setting.panel.full(stroke.name), normal_of(start, end)
+    own = (mark for item in sketch.items if item.stroke == name for mark in item.marks)
+    for mark in own:
+        if mark.role in ("vector", "whole") and isinstance(mark.shape, Polyline):
+            off = mark.shape.pieces[0][0] - start
+            aside = (off * across.conjugate()).real * across
+            return start + aside, end + aside
+    return start, end
+
+
 def _along(obstacles: Obstacles, start: complex, end: complex, runs: Runs, size: float) -> Placed:
-    """Return a clear place beside a line, with no other stroke between both if there is one."""
+    """Return a clear place beside a line, with no other stroke between both if there is one.
+
+    If it can be, no other stroke is as near.
+    """
     wide, high = ink_size(runs, size)
     span = end - start
     normal = normal_of(start, end)
     if normal.imag < 0 or (normal.imag < 1e-9 and normal.real < 0):
         normal = -normal
     found: list[complex] = []
+    close: list[complex] = []
     for gap in GAPS:
         feet = [(start + share * span, side * normal) for share in SHARES for side in (1, -1)]
         centres = [beside(foot, way, gap, wide, high) for foot, way in feet]
         free = obstacles.free(centres, wide, high, CLEARANCE, APART)
+        beyond = [at + gap * way for at, (_, way) in zip(centres, feet, strict=True)]
+        alone = obstacles.free(beyond, wide, high, CLEARANCE)
         for each in np.flatnonzero(free).tolist():
             foot, way = feet[each]
-            if not obstacles.covered(foot + OFF_LINE * way, centres[each]):
+            if obstacles.covered(foot + OFF_LINE * way, centres[each]):
+                found.append(centres[each])
+            elif alone[each]:
                 return Placed(centres[each], wide, high)
-            found.append(centres[each])
-    if found:  # each stands beyond another stroke
-        return Placed(found[0], wide, high)
-    return place(obstacles, Wish((start + end) / 2, normal, wide, high, near=()))
+            else:
+                close.append(centres[each])
+    led = place(obstacles, Wish((start + end) / 2, normal, wide, high, near=()))
+    if not (close or found) or is_short(led):
+        return led
+    return Placed((close or found)[0], wide, high)  # another stroke is as near, or between both
