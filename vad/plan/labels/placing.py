@@ -29,12 +29,12 @@ LEADER = 0.06
 WAYS = 32  # about a dot
 MOST_LEADERS = 160  # tried at each distance
 #: So many places for a label far from its dot are looked at together.
-_AT_ONCE = 256
-#: Of so many leaders is found together what they cross.
-_TOGETHER = 20
+_AT_ONCE = 64
 #: The places that are tried all over a panel are so far apart.
 STEP = 0.008
 LENGTH_COUNTS = 0.5  # of a leader, beside how much of it lies on strokes
+#: That much longer a leader may be, so counted, if it crosses nothing.
+SPARED = 0.06
 #: A label far from its dot stands that far from every other dot, so that it does not name it.
 STRANGE = 20.0 * PIXEL
 #: A label is so much nearer to its own dot than to others; of one close by at least by so much of
@@ -229,11 +229,10 @@ def _names(spot: Placed, wish: Wish) -> bool:
 
 def _led_off(obstacles: Obstacles, wish: Wish, near: Placed | None) -> Placed:
     """Return a place with a leader, or one ``near`` that may name another if none is short."""
-    led = _far_off(obstacles, wish)
-    free = near and obstacles.has_room(near.centre, wish.wide, wish.high, CLEARANCE, APART)
-    if near is None or not free:
-        return led
-    return led if is_short(led) else near
+    if near and obstacles.has_room(near.centre, wish.wide, wish.high, CLEARANCE, APART):
+        led = far_off(obstacles, wish, SHORT)
+        return led if is_short(led) else near
+    return far_off(obstacles, wish)
 
 
 def is_short(placed: Placed) -> bool:
@@ -290,69 +289,50 @@ def _apart(spot: Placed, other: Placed) -> bool:
     )
 
 
-def _far_off(obstacles: Obstacles, wish: Wish) -> Placed:
+def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Placed:
     """Place a label away from its dot: its leader crosses as little as possible, and is short.
 
-    Where every leader meets other labels, it meets the fewest; a name of a line, which has the ink
-    of that, then has none.
+    Where every leader meets other labels, it is short; a name of a line, which has the ink of that,
+    then has none.  The label is forced if its leader would be longer than the ``longest`` one.
     """
+    last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high, forced=True)
     through: Placed | None = None
     for tight, centres in _far(obstacles.edge, wish):
         clear, apart = (0.5 * PIXEL, TIGHT) if tight else (CLEARANCE, APART)
-        spots = _first_led(obstacles, wish, centres, clear, apart)
-        clearly = [spot for spot, met in spots if not met]
-        if clearly:
-            best = _least_crossing(obstacles, wish, clearly)
-            return replace(best, forced=tight)
-        if spots and not through:
-            through = replace(min(spots, key=lambda each: each[1])[0], forced=True)
+        tried, least, best = 0, math.inf, None
+        for first in range(0, len(centres), _AT_ONCE):  # one of the nearest is mostly clear
+            some = centres[first : first + _AT_ONCE]
+            free = obstacles.free(some, wish.wide, wish.high, clear, apart)
+            spots = [Placed(some[i], wish.wide, wish.high) for i in np.flatnonzero(free)]
+            led = [_led(wish, spot.centre) for spot in spots if not _is_strange(spot, wish)]
+            if not led:
+                continue
+            starts, ends = np.array([each.leader or (wish.at, wish.at) for each in led]).T
+            shortest = float(np.abs(ends - starts).min())
+            if shortest > longest:
+                return last
+            if LENGTH_COUNTS * shortest > least + SPARED:
+                break
+            met = obstacles.labels_met(np.stack((starts, ends), axis=1), 1.5 * PIXEL)
+            costs = obstacles.all_covered(starts, ends) + PASSING * _passed(wish, starts, ends)
+            for spot, labels, cost in zip(led, met.tolist(), costs.tolist(), strict=True):
+                if labels and not through:
+                    through = replace(spot, forced=True)
+                if labels:
+                    continue
+                if not spot.leader or not cost:
+                    return replace(spot, forced=tight)
+                tried, long = tried + 1, abs(spot.leader[1] - spot.leader[0])
+                if cost + LENGTH_COUNTS * long < least:
+                    least = cost + LENGTH_COUNTS * long
+                    best = replace(spot, forced=tight, crosses=True)
+            if tried >= MOST_LEADERS:
+                break
+        if best:
+            return best
     if through and not wish.near:
         return replace(through, leader=None)
-    last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high, forced=True)
     return through or last
-
-
-def _first_led(
-    obstacles: Obstacles, wish: Wish, centres: list[complex], clear: float, apart: complex
-) -> list[tuple[Placed, int]]:
-    """Return the first places at which a label meets nothing, until enough leaders can be tried.
-
-    Each tells how many other labels its leader meets.
-    """
-    found: list[tuple[Placed, int]] = []
-    count = 0
-    for first in range(0, len(centres), _AT_ONCE):  # on a page with room the first ones suffice
-        some = centres[first : first + _AT_ONCE]
-        free = obstacles.free(some, wish.wide, wish.high, clear, apart)
-        spots = [Placed(some[i], wish.wide, wish.high) for i in np.flatnonzero(free)]
-        led = [_led(wish, spot.centre) for spot in spots if not _is_strange(spot, wish)]
-        if led:
-            leaders = [spot.leader or (spot.centre, spot.centre) for spot in led]
-            met = obstacles.labels_met(leaders, 1.5 * PIXEL).tolist()
-            found += zip(led, met, strict=True)
-            count += met.count(0)
-        if count >= MOST_LEADERS:
-            break
-    return found
-
-
-def _least_crossing(obstacles: Obstacles, wish: Wish, spots: Sequence[Placed]) -> Placed:
-    """Return the place whose leader lies least on strokes, passes no other dot, and is short."""
-    least, best = math.inf, spots[0]
-    for first in range(
-        0, min(MOST_LEADERS, len(spots)), _TOGETHER
-    ):  # one of the nearest is mostly clear
-        some = spots[first : first + _TOGETHER]
-        ends = [spot.leader or (spot.centre, spot.centre) for spot in some]
-        starts, stops = np.array(ends, dtype=np.complex128).T
-        covered = obstacles.all_covered(starts, stops) + PASSING * _passed(wish, starts, stops)
-        for spot, (start, end), each in zip(some, ends, covered.tolist(), strict=True):
-            if not spot.leader or not each:
-                return spot
-            if each + LENGTH_COUNTS * abs(end - start) < least:
-                least = each + LENGTH_COUNTS * abs(end - start)
-                best = replace(spot, crosses=True)
-    return best
 
 
 def _passed(wish: Wish, starts: Complexes, ends: Complexes) -> Reals:

@@ -6,6 +6,7 @@ the items of the labels.  A line has its name beside it: ``⟂ BC``, ``2ωv``.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
@@ -23,12 +24,13 @@ from vad.plan.labels.placing import (
     APART,
     CLEARANCE,
     CLOSE_BY,
+    SHORT,
     Placed,
     Wish,
     beside,
+    far_off,
     is_short,
     outward,
-    place,
     place_all,
 )
 from vad.plan.lettering.glyphs import ink_size, typeset
@@ -415,7 +417,8 @@ def _along(obstacles: Obstacles, start: complex, end: complex, runs: Runs, size:
                 return Placed(centres[each], wide, high)
             else:
                 close.append(centres[each])
-    led = place(obstacles, Wish((start + end) / 2, normal, wide, high, near=()))
+    wanted = Wish((start + end) / 2, normal, wide, high, near=())
+    led = far_off(obstacles, wanted, SHORT if close or found else math.inf)
     if not (close or found) or is_short(led):
         return led
     return Placed((close or found)[0], wide, high)  # another stroke is as near, or between both
