@@ -17,6 +17,7 @@ from vad.errors import UsageError
 from vad.plan.board import arrange, column
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
+from vad.plan.items import FOREVER
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Wish, beside, distance, fan, outward, place
 from vad.plan.labels.vertices import find_vertices
@@ -229,7 +230,7 @@ def test_letters_are_smaller_where_a_leader_would_cross_a_vector():
     for lenses in (False, True):
         panel = sheet.panel("acceleration")
         sketch = column(sheet, panel, drawing, form, lenses=lenses)["acceleration"]
-        [tag] = [tag for tag in sketch.tags if tag.text == "c″ₙ"]
+        [tag] = [t for t in sketch.tags if t.text == "c″ₙ" and t.span[1] == FOREVER]
         [at] = [vertex.at for vertex in sketch.vertices if vertex.label == "c″ₙ"]
         shown = [lens(at) for lens in sketch.lenses if abs(lens(at) - lens.at) < lens.radius]
         assert len(shown) == lenses  # beside a lens that shows it, it has its letter there
