@@ -19,7 +19,7 @@ from vad.plan.items import ALWAYS, FOREVER
 from vad.plan.labels.choices import PlacedLabels
 from vad.plan.labels.close import MOST, close_places
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import distance
+from vad.plan.labels.placing import distance, is_short
 from vad.plan.labels.vertices import Vertex, label_vertices
 from vad.plan.lens import block
 from vad.plan.marks import Polygon
@@ -128,7 +128,8 @@ class LensedLabels(PlacedLabels):
         self.placed = True
         self.forced = sum(spot.forced for _, spot in placed)
         off = {seen[n].label: distance(spot.box, seen[n].at) for n, spot in placed}
-        self.led = frozenset(label for label, far in off.items() if far > FAR)
+        short = {seen[n].label for n, spot in placed if is_short(spot)}
+        self.led = frozenset(label for label, far in off.items() if far > FAR) - short
         self.faults += sum(far > ASTRAY for far in off.values())
         for close in sketch.close:
             early = [vertices[n] for n in close.members]
