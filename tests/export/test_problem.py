@@ -20,6 +20,7 @@ from vad.plan.board import plan, reach
 from vad.plan.geometry import Rect
 from vad.plan.items import TASK, Item, Level
 from vad.plan.marks import Lettering, Mark
+from vad.plan.page.task import SIZES
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Cell, Sheet
 from vad.strokes.task import task
@@ -184,6 +185,16 @@ def test_a_task_asks_for_nothing_twice() -> None:
 @pytest.mark.parametrize("name", DIAGRAMS)
 def test_every_kind_of_panel_has_a_name_in_a_task(name: str, language: str) -> None:
     assert Language(language).say(f"task {name}")
+
+
+@pytest.mark.parametrize("name", ["four-bar", "slider-crank", "watt-2", "tipper"])
+def test_a_problem_at_four_to_three_has_the_page_of_its_key(name: str) -> None:
+    machine = SCENES.get(name) or vad.load(example_path(name))()
+    sheet = vad.draw(vad.solve(machine))
+    asked, key = (posed(sheet, size=(960, 720), **more) for more in ({"blank": ASKED}, {}))
+    assert asked.board.page == key.board.page
+    task = [mark.shape for mark in shown(asked, TASK) if mark.role == "words"]
+    assert task and min(line.size for line in task) >= SIZES[-1]
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (960, 720)])

@@ -100,9 +100,13 @@ def posed(
         several = MultiplesBoard(thing, form)
         return Posed(several, Moment(0), look, thing.sheets[0], thing.sheets[1:])
     left = {} if blank is None else blank_panels(thing, blank)
-    board = plan(thing, form, look.key, tasked=bool(left) and own is not None)
+    board = plan(thing, form, look.key)
     if left:
-        board = problem(board, left, look.key, own)
+        try:
+            board = problem(board, left, look.key, own, small=False)
+        except UsageError:  # the page of the key has no room for the task
+            board = plan(thing, form, look.key, tasked=True)
+            board = problem(board, left, look.key, own)
     strokes = {**{half.name: half.strokes for half in thing.halves}, **left}
     return Posed(board, Moment(board.finished), look, drawn_so_far(thing, strokes))
 

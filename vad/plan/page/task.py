@@ -40,17 +40,21 @@ WORKING = 0.10
 ALIKE = 0.04
 
 
-def upon_problem(key: Plan, kept: Sequence[Item], blank: Collection[str], own: str) -> list[Item]:
+def upon_problem(
+    key: Plan, kept: Sequence[Item], blank: Collection[str], own: str, small: bool
+) -> list[Item]:
     """Return the items that only the problem has, where the items that it kept leave room.
+
+    A task that the sheet words itself may be in very ``small`` type.
 
     Raises
     ------
     vad.errors.UsageError
-        If a task of one's own is too long for the page.
+        If the task is too long for the page.
     """
     places = list(_free(key, kept, blank))
     marks = _names(key, kept, places)
-    told, places = _task(key, places, blank, own)
+    told, places = _task(key, places, blank, own, small)
     marks += told
     room = max(places, key=_worth, default=None)
     if room and _worth(room):
@@ -124,7 +128,7 @@ def _words(word: str, at: complex) -> Mark:
 
 
 def _task(
-    key: Plan, places: Sequence[Rect], blank: Collection[str], own: str
+    key: Plan, places: Sequence[Rect], blank: Collection[str], own: str, small: bool
 ) -> tuple[list[Mark], list[Rect]]:
     """Return the task, and what is left of the free places.
 
@@ -134,7 +138,7 @@ def _task(
     forms: tuple[Pieces, ...] = ((TextPiece(own),),) if own else task(key.sheet, blank)
     large = tuple(size for size in SIZES if size >= LARGE)
     tried = [(form, large) for form in forms[:-1]] + [(form, SIZES) for form in forms]
-    tried += [] if own else [(forms[-1], SMALLEST)]
+    tried += [(forms[-1], SMALLEST)] if small and not own else []
     for pieces, sizes in tried:
         best: tuple[tuple[float, ...], list[Mark], list[Rect]] | None = None
         for number, place in enumerate(places):
@@ -187,6 +191,10 @@ def _free(key: Plan, kept: Sequence[Item], blank: Collection[str]) -> Iterator[R
             Rect(each.left, low, each.right, each.bottom)
             for each, low in zip(drawings, lows, strict=True)
         ]
+    feet = [foot for name in names if (foot := page.panels[name].foot)]
+    if feet:  # where the equations of the key stand together
+        low, top = min(foot.bottom for foot in feet), max(foot.top for foot in feet)
+        found.append(Rect(feet[0].left, low, feet[0].right, top - CLEAR / 2))
     for name in page.panels.keys() - blank:
         found += _beside_drawing(page.panels[name].drawing, [i for i in kept if i.region == name])
     boxes = [_box(mark) for each in kept for mark in each.marks]
