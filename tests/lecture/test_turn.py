@@ -67,6 +67,15 @@ def test_a_driver_that_swings_rests_at_the_ends(mechanism):
         assert len(sheet.panel("acceleration").strokes) > 5
 
 
+@pytest.mark.parametrize("place", [30.0, 60.0, 328.183])
+def test_a_driver_that_goes_round_stands_at_round_angles(place):
+    """At 90.00000000000006° the rounding of what is zero would be drawn."""
+    course = vad.turn(vad.solve(vad.HookeJoint(), angle=place)).course
+    for step in range(72):
+        angle = course.inputs(course.opening + step / 72)["angle"]
+        assert angle == 5.0 * step
+
+
 def test_a_place_outside_the_range_begins_at_its_end():
     turn = vad.turn(vad.solve(vad.FourBar(crank=130), angle=0.0), fps=2)
     assert turn.pose(0).panels

@@ -36,6 +36,9 @@ if TYPE_CHECKING:
 KEPT = 0.03
 #: A sine or cosine of a swing below this is none but for rounding: the driver rests at the ends.
 ROUNDED = 1e-12
+#: So many decimals of its angle a driver that goes round has: a step to a quarter of the turn ends
+#: at 90°, not at 90.00000000000006°, where what is zero would be drawn as rounding.
+PLACES = 12
 #: The speed of a swing is the given rate over the sine of the given phase.  The sine counts as no
 #: less than this, or a place near the end of the swing would make the speed too large.
 LEAST = 0.3
@@ -67,6 +70,7 @@ class Course:
         if self.swing is None:
             place, rate, second = self.given
             turned = (place + math.copysign(360.0, rate) * phase) % 360.0
+            turned = round(turned, PLACES) % 360.0
             return dict(zip(self.names, (turned, rate, second), strict=True))
         middle, half, start, speed = self.swing
         angle = start + math.tau * phase
