@@ -21,7 +21,7 @@ from vad.plan.items import FOREVER
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Wish, beside, distance, fan, outward, place
 from vad.plan.labels.vertices import find_vertices
-from vad.plan.layout import FLOOR, Content, Page, Told, lay_out
+from vad.plan.layout import FLOOR, GUTTER, Content, Page, Told, lay_out
 from vad.plan.marks import Bow, Polygon
 from vad.plan.reach import corners, extent
 from vad.plan.scale import fill, scale_bar
@@ -132,6 +132,17 @@ def test_drawings_are_large_on_a_narrow_page(kind: type[vad.Mechanism]):
             points = corners(panel)
             extended = extent(points) * fill(points, room, position=True).factor
             assert max(extended.real, extended.imag) > 0.25
+
+
+@pytest.mark.parametrize(("height", "column"), [(4.0, 0.33), (9.0, 0.30)])
+def test_a_slender_column_is_wider_if_the_mechanism_in_it_becomes_larger(height, column):
+    given = contents({"a": 1, "b": 1, "c": 1})
+    given["a"] = given["a"]._replace(shapes=[complex(2.0, height)])
+    page = lay_out(screen((960, 720)), given, 3, 0)
+    first, *others = (place.drawing.width for place in page.panels.values())
+    assert first == pytest.approx(column)
+    assert len(others) == 2 and min(others) > 0.40
+    assert first + sum(others) == pytest.approx(page.right - page.left - 2 * GUTTER)
 
 
 def test_a_narrow_still_leaves_out_equations_only_for_larger_drawings():

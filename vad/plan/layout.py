@@ -35,7 +35,9 @@ TALL = 1.5  # height over width
 #: What the views of a mechanism in space take of an equal share, where columns are narrow; tall
 #: ones, which fill the height, take less: only their notes stand beside them.
 VIEWS_SHARE, TALL_VIEWS_SHARE = 1.20, 1.06
-SLENDER_COLUMN = 0.30  # of a tall picture, beside columns that are at least
+#: The column of a tall picture, which is wider if that makes the pictures larger, beside columns
+#: that are at least of another width.
+SLENDER_COLUMN, WIDER_COLUMN = 0.30, 0.33
 BESIDE_SLENDER = 0.40
 ROW_PITCH = 0.040
 EQUATION_PITCH = 0.043
@@ -200,9 +202,10 @@ def lay_out(
         return lambda told: _grid(form, contents, across, caption_lines, table, told)
 
     equal, most = _equal(form, len(contents)), table.halves if table.many else 0.0
-    columns, grids = [beside(equal, most)], list[Way]()
+    columns, grids, wider = [beside(equal, most)], list[Way](), list[Way]()
     if not _wide(form, len(contents)):
         unequal = [beside(widths, most) for widths in _unequal(form, contents)]
+        wider = [beside(widths, most) for widths in _slender(form, contents, WIDER_COLUMN)]
         columns = unequal or [beside(_with_views(equal, contents), table.halves)]
         # Views stand one above the other, and so need the height of a page that lies.
         upright = form.height > form.width or not any(each.views for each in contents.values())
@@ -221,6 +224,9 @@ def lay_out(
 
     best = [max(pages, key=worth) for pages in (told, bare) if pages]
     page = max(best, key=lambda page: worth(page)[:2])
+    if page.columns:
+        choices = [page, *(way(page.told) for way in wider)]
+        page = max(choices, key=lambda page: worth(page)[2])
     if least_side(page) < SMALLEST_DRAWING:
         raise UsageError(
             f"the page has no room for {len(contents)} panels with {rows} rows of results and "
@@ -262,11 +268,16 @@ def _unequal(form: Format, contents: Mapping[str, Content]) -> Iterator[list[flo
         shares = [ALONE_SHARE if name == ALONE else 1.0 for name in names]
         shares[0] = FIRST_SHARE
         yield [room * share / sum(shares) for share in shares]
+    yield from _slender(form, contents, SLENDER_COLUMN)
+
+
+def _slender(form: Format, contents: Mapping[str, Content], column: float) -> Iterator[list[float]]:
+    """Yield the widths of columns beside a slender one, if one panel alone is tall."""
     tall = [name for name, each in contents.items() if each.tall and not each.views]
-    if len(tall) == 1 and count > 1 and form.height <= 1.0:
-        rest = (room - SLENDER_COLUMN) / (count - 1)
+    if len(tall) == 1 and len(contents) > 1 and form.height <= 1.0:
+        rest = (sum(_equal(form, len(contents))) - column) / (len(contents) - 1)
         if rest >= BESIDE_SLENDER:
-            yield [SLENDER_COLUMN if name in tall else rest for name in names]
+            yield [column if name in tall else rest for name in contents]
 
 
 def _sizes(page: Page, contents: Mapping[str, Content]) -> list[float]:
