@@ -189,16 +189,18 @@ def test_the_polar_inset_is_true_to_scale():
     assert all(room.holds(point) for point in (*circle.line(), *curve))
 
 
-def test_the_remark_stands_between_polygon_and_equation():
-    board = plan(sheet(remark="2 3 4 laid over"), FORM, 0.058)
-    texts = {
-        plain(m.shape.runs): m.shape.at.imag
-        for item in board.items
-        if item.region == "acceleration foot"
-        for m in item.marks
-    }
-    assert texts["2 3 4 laid over"] > texts["α₄"]
-    assert board.page.panels["acceleration"].drawing.bottom > texts["2 3 4 laid over"]
+@pytest.mark.parametrize(("times", "lines"), [(1, 1), (8, 2), (12, 3)])
+def test_the_remark_stands_between_polygon_and_equation(times: int, lines: int):
+    remark = " ".join(["2 3 4 laid over"] * times)
+    board = plan(sheet(remark=remark), FORM, 0.058)
+    marks = [m for i in board.items if i.region == "acceleration foot" for m in i.marks]
+    said = [mark.shape for mark in marks if mark.role == "notes"]
+    assert " ".join(plain(line.runs) for line in said) == remark and len(said) == lines
+    ys = [line.at.imag for line in said]
+    first = max(mark.shape.at.imag for mark in marks if mark.role != "notes")
+    assert all(ys[-1] - first > 1.4 * (one - other) for one, other in itertools.pairwise(ys))
+    assert ys[-1] - first > 1.8 * said[-1].size
+    assert board.page.panels["acceleration"].drawing.bottom > ys[0] + 0.7 * said[0].size
 
 
 @pytest.mark.parametrize("text", ["τ̇", "ṡ_D", "s̈", "ω₄₂ḣ", "α₄₂ₜ"])

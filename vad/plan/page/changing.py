@@ -30,7 +30,7 @@ from vad.plan.lettering.glyphs import typeset, width
 from vad.plan.lettering.runs import Run, roman, said
 from vad.plan.lettering.wrapping import Stretch, cut, stretches
 from vad.plan.marks import Lettering, Mark
-from vad.plan.page.heads import REMARK_SIZE, Foot, head, lines_of, measured, pale, placed
+from vad.plan.page.heads import Foot, head, lines_of, measured, pale, placed, remarks
 from vad.plan.page.quarter import Entry
 from vad.plan.page.table import table
 from vad.plan.sketch import Sketch
@@ -70,9 +70,8 @@ def equations(
         room = place.foot or place.drawing
         left, middle = room.left, room.centre.real
         foot, begun = feet[panel.name], drawing(sketches[panel.name].setting.first)
-        for runs, baseline in zip(foot.remark, place.equations, strict=False):
-            said = Mark(Lettering(runs, complex(left, baseline), REMARK_SIZE), "notes")
-            yield Item("", region, Level.LABEL, (said,), begun)
+        for remark in remarks(foot, place.equations, left):
+            yield Item("", region, Level.LABEL, (Mark(remark, "notes"),), begun)
         for text, piece in placed(foot, place.equations, middle):
             setting, term = sketches[piece.half].setting, piece.term
             begun = drawing(setting.first)

@@ -44,6 +44,8 @@ LEAST_EQUATION = 0.034  # below this a loop takes two lines
 SPACE = 0.24  # about a sign, in type sizes
 LOOP_SPACE = 1.3
 REMARK_SIZE = 0.030
+#: From line to line of a remark, and from its last one to the first equation: they stand apart.
+LINE_PITCH, REMARK_APART = 0.038, 0.055
 READING = 0.030
 LEAST_READING = 0.022
 #: The room that one of them takes.
@@ -239,6 +241,17 @@ def compose(panel: Panel, room: float, told: bool = True) -> Foot:
             lines += [tuple(left), tuple(loop[len(left) :])]
     widest = max(type_width(line) for line in lines)
     return Foot(tuple(lines), min(EQUATION_SIZE, room / widest), remark)
+
+
+def remarks(foot: Foot, baselines: Sequence[float], left: float) -> Iterator[Lettering]:
+    """Yield the lines of the remark, which stands closer together than apart from equations."""
+    if not foot.remark:
+        return
+    count = len(foot.remark)
+    low = baselines[count] + REMARK_APART if foot.lines else baselines[count - 1]
+    for number, runs in enumerate(foot.remark, 1):
+        y = low + (count - number) * LINE_PITCH
+        yield Lettering(runs, complex(left, y), REMARK_SIZE)
 
 
 def placed(foot: Foot, baselines: Sequence[float], middle: float) -> list[tuple[Lettering, Piece]]:
