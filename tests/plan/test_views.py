@@ -254,6 +254,21 @@ def test_the_sense_of_the_driver_lies_on_no_circle(degrees: float):
     assert min(abs(given_.shape.radius - radius) for radius in radii) > 0.008
 
 
+@pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
+@pytest.mark.parametrize("degrees", [15.0, 60.0, 135.0, 150.0, 270.0])
+def test_the_note_of_a_view_stands_below_that_view(size: tuple[int, int], degrees: float):
+    sheet = vad.draw(vad.solve(vad.SpatialFourBar(), angle=degrees))
+    sketch = planned(sheet, size).sketches["position"]
+    strokes = {stroke.name: stroke.shape for stroke in sheet.panel("position").strokes}
+    star = sketch.scale(strokes["star.A"].points[0])
+    rose = sketch.scale(strokes["rose.circle"].centre)
+    notes = [tag.box for tag in sketch.tags if tag.text.startswith("along")]
+    assert len(notes) == 2
+    for box, own, other in zip(notes, (star, rose), (rose, star), strict=True):
+        assert box.top < own.imag and abs(box.centre - own) < 0.225  # not in the mechanism below
+        assert abs(box.centre.real - own.real) < abs(box.centre.real - other.real)
+
+
 def test_on_a_narrow_page_notes_have_short_lines_before_views_are_drawn_smaller():
     sheet = vad.draw(vad.solve(vad.HookeJoint(), angle=30.0))
     panel = planned(sheet, (960, 720)).sketches["position"]

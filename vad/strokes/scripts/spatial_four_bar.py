@@ -24,8 +24,8 @@ PICTORIAL = View.from_above(azimuth=-62.0, elevation=38.0)
 POSES = 48
 #: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
 AXIS, SHAFT, BEARING = 0.13, 0.06, 0.10
-#: The star's rays, the radius of the rose, the space above the mechanism, and that beside the rose.
-RAY, ROSE, ABOVE, NOTE = 0.34, 0.10, 0.02, 0.24
+#: The star's rays, the radius of the rose, and the space above the mechanism.
+RAY, ROSE, ABOVE = 0.34, 0.10, 0.02
 #: Radii of the star's arcs as shares of its rays: between a and d, and from a to I.
 ARCS = 0.35, 0.7
 #: The slides: from where to where, and in whose row.
@@ -133,7 +133,7 @@ class Script(SlidingScript):
         self.tell("H", height=Figure(self.bodies.height, unit))
         construction("I.axis", axis("H", "i"), "axis", "I")
         crossing("H.found", Dot(at["H"]), label="H", reveals=("axis",))
-        of_star = self.note(star + (NOTE - 0.8j * RAY) * reach, "star", "star.A")
+        of_star = self.note(star - 1.15j * RAY * reach, "star", "star.A")
         of_rose = self.note(rose - 2.2j * ROSE * reach, "rose", "rose.circle")
         right = "AD", "D.slide", "DC.rocker", "C.slide"
         return self.finished(("AB.crank", "B.slide", "BC.coupler"), right, of_star, of_rose)
