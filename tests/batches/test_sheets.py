@@ -42,7 +42,10 @@ HEAD = '[sheet]\nmechanism = "four-bar"\n'
         ("sheet = 3\n", "1: sheet: must be a table"),
         (HEAD + "[keep]\nsine = 1\n", "4: sine: must be from 0 to below 1, got 1"),
         (HEAD + "[keep]\nsin = 0.3\n", "4: unknown word 'sin'"),
-        ("[sheet\n", "1: expected ']' at the end of a table declaration"),
+        (
+            "[sheet\n",
+            "1: is no TOML from column 7 on: expected ']' at the end of a table declaration",
+        ),
     ],
 )
 def test_an_error_names_file_and_line(written, text, said):
