@@ -162,6 +162,8 @@ class TestLetters:
         sheet = sheet_of(name)
         root = ElementTree.fromstring(written(sheet, text="letters"))
         lines = ["".join(each.itertext()) for each in root.iter(SPACE + "text")]
+        # Behind a rate whose arrow has no room on the mechanism stands its sense.
+        lines = [re.sub("\\s*[↺↻]$", "", line) for line in lines]
         for row in sheet.rows:
             for cells, cell in ((own, each) for own in row.cells.values() for each in own):
                 value = with_unit(*sheet.notation.cell(cell.value, cell.unit, cell.given))

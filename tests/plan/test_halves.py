@@ -30,6 +30,11 @@ def texts(board: Plan) -> list[Lettering]:
     return [shape for shape in shapes if isinstance(shape, Lettering)]
 
 
+def number_of(text: Lettering) -> str:
+    """Return a text without the sign of the sense that may stand behind a rate."""
+    return plain(text.runs).rstrip("↺↻ \N{NO-BREAK SPACE}\N{THIN SPACE}")
+
+
 @pytest.mark.parametrize("style", ["paper", "print"])
 @pytest.mark.parametrize("name", ["jansen-leg", "shaper", "beam-engine"])
 def test_seven_rows_stand_in_two_halves(name: str, style: str):
@@ -37,14 +42,14 @@ def test_seven_rows_stand_in_two_halves(name: str, style: str):
     assert len(drawn.rows) > MOST
     board = plan(drawn, screen((1280, 720)), load_style(style).key, lesson=True)
     found = texts(board)
-    said = [plain(text.runs) for text in found]
+    said = [number_of(text) for text in found]
     for row in drawn.rows:
         [heading] = [text for text in found if plain(text.runs).startswith(f"{row.title} ")]
         for cells in row.cells.values():
             number, _ = drawn.notation.cell(cells[0].value, cells[0].unit, cells[0].given)
             assert number in said
             level = [t for t in found if abs(t.at.imag - heading.at.imag) < 1e-9]
-            assert number in [plain(text.runs) for text in level]
+            assert number in [number_of(text) for text in level]
     boxes = [ink_box(text) for text in found]
     for a, b in combinations(boxes, 2):
         assert a[2] < b[0] or b[2] < a[0] or a[3] < b[1] or b[3] < a[1]

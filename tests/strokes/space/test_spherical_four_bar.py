@@ -115,7 +115,7 @@ def test_the_polygon_of_accelerations_closes_with_both_normals_apart(angle: int,
 
 def test_the_sine_law_is_what_the_caption_says():
     said = stroke(sheet(140).panel("velocity"), "14.absolute").caption
-    assert said.endswith("ω₄/ω₂ = sin AI / sin DI = sin 39.1° / sin 129.1°.")
+    assert said.endswith("ω₄/ω₂ = sin AI / sin DI = sin(39.1°) / sin(129.1°).")
     ratio = math.sin(math.radians(39.1)) / math.sin(math.radians(129.1))
     assert ratio == pytest.approx(motion(140).link("rocker").omega / 10.0, rel=2e-3)
 

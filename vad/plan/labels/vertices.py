@@ -373,7 +373,7 @@ def add_tag(
     marks = [replace(said, growth=growth)]
     if placed.leader:
         sketch.obstacles.line(placed.leader, PIXEL, span)
-        leader = leader_of(ends[0], first, placed.leader)
+        leader = leader_of(ends[0], plain(start), placed.leader)
         marks.insert(0, replace(leader, growth=growth))
     sketch.add(stroke, Level.LABEL, since, marks, span[1])
     sketch.tags.append(Tag(text, placed.box, span))
