@@ -29,7 +29,14 @@ const source = URL.createObjectURL(new Blob([await trait("_esm")], { type: "text
 const { default: widget } = await import(source);
 const heard = new Set(), changed = new Set();
 const traits = { page: await trait("page"), title: await trait("title"), pose: {}, asked: {} };
+const frame = () => document.querySelector("iframe");
+const painted = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
 const send = async (message) => {
+  // The cell is resized while the frame waits for its first lesson.
+  if (!frame().dataset.asked) for (const width of ["90%", "100%"]) {
+    frame().style.width = frame().dataset.asked = width;
+    await painted();
+  }
   const [answer, data] = await python(message);
   const buffers = [new DataView(Uint8Array.from(atob(data), (each) => each.charCodeAt()).buffer)];
   heard.forEach((each) => each(answer, buffers));

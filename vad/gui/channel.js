@@ -13,9 +13,10 @@
     waiting.delete(id);
   });
   // How high the frame must be, so that the board is as wide as the cell; for the forms of the page
-  // see page.css.
+  // see page.css. A cell may be resized before there is a board.
   globalThis.stood = () => {
-    const page = document.querySelector(".vad"), board = page.querySelector(".board");
+    const page = document.querySelector(".vad"), board = page?.querySelector(".board");
+    if (!board) return;
     const high = board.style.getPropertyValue("--h"), rail = innerWidth >= 1024 ? page.querySelector(".rail").offsetWidth : 0;
     const width = innerWidth - rail, across = innerWidth < 768 ? 870 : 1280, more = page.querySelector(".tools").offsetHeight;
     if (high && innerWidth >= 480) parent.postMessage({ high: Math.ceil(width * high / across + 116 + more) }, "*");
