@@ -30,7 +30,8 @@ const { default: widget } = await import(source);
 const heard = new Set(), changed = new Set();
 const traits = { page: await trait("page"), title: await trait("title"), pose: {}, asked: {} };
 const frame = () => document.querySelector("iframe");
-const painted = () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+const painted = () =>
+  new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
 const send = async (message) => {
   // The cell is resized while the frame waits for its first lesson.
   if (!frame().dataset.asked) for (const width of ["90%", "100%"]) {
