@@ -22,6 +22,8 @@ from vad.plan.scale import Scale
 BAND = 0.009
 #: The heights at which a circle is cut into boxes, in its radius.
 SLABS = (-1.0, -0.8, -0.45, 0.45, 0.8, 1.0)
+#: An arc is drawn in a lens as chords of so many degrees.
+_BOW_STEP = 2.0
 #: So many sides has the polygon at which areas are cut.
 SIDES = 72
 
@@ -73,7 +75,7 @@ class Lens:
                 parts = [part for piece in pieces for part in _lines(piece, self.at, radius)]
                 return Polyline(tuple(parts)) if parts else None
             case Bow():
-                parts = list(_lines(shape.line(2.0), self.at, radius))
+                parts = list(_lines(shape.line(_BOW_STEP), self.at, radius))
                 return Polyline(tuple(parts)) if parts else None
             case Polygon(rings):
                 kept = tuple(part for ring in rings if (part := _area(ring, self.at, radius)))
@@ -145,6 +147,8 @@ def block(obstacles: Obstacles, shape: Outline, half: float) -> None:
         case Polygon(rings):
             for ring in rings:
                 obstacles.line([*ring, ring[0]], half)
+        case Bow():
+            obstacles.line(shape.line(_BOW_STEP), half)
 
 
 def _lines(

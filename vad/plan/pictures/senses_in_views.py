@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from vad.kinematics.numbers import ray
 from vad.plan.items import Item
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside
+from vad.plan.labels.placing import APART, CLEARANCE, Placed
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.marks import Mark, area, line
@@ -107,7 +107,9 @@ def _along(sketch: Sketch, taken: Obstacles, row: Row, sense: Sense) -> Iterator
             at = sketch.scale(shape.at) + past * way + aside * left * way
             start, end = at - LENGTH / 2 * way, at + LENGTH / 2 * way
             spots = [start + (end - start) * step / 8 for step in range(9)]
-            name = beside(at, left * way, NAMED[0] + CLEARANCE, wide, high)
+            out = left * way  # all of its name is beside it
+            half = (abs(out.real) * wide + abs(out.imag) * high) / 2
+            name = at + (NAMED[0] + HEAD_HALF_WIDTH * SENSE_HEAD + half) * out
             if not all(taken.edge.holds(spot, -0.006) for spot in spots):
                 continue
             if not taken.free(spots, 0.0, 0.0, CLEAR).all():
