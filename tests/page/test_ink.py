@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from itertools import pairwise
 
 import pytest
 
 from tests.page.lessons import lesson_of
+from vad.page.document import asset
 from vad.page.ink import grown
 from vad.page.parts import page_plan
+from vad.painting.painter import NEARLY_GONE
 from vad.painting.svg_elements import Grid
 from vad.plan.marks import Disc, Mark, Polygon, Polyline, Sliding, Turning
 
@@ -59,3 +62,8 @@ def test_tools_move_on_the_page_as_on_the_board(kind):
             ways = (abs(a - b) for a, b in zip(shown, vertices(mark, grid), strict=True))
             checked += max(ways) > 1.0
     assert checked > 3
+
+
+def test_a_halo_is_gone_on_the_page_with_as_little_ink_as_on_the_board():
+    (share,) = re.findall(r"NEARLY_GONE = ([.\d]+);", asset("player.js"))
+    assert float(share) == NEARLY_GONE

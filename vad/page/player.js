@@ -11,6 +11,8 @@ const smooth = (t) => t * t * (3 - 2 * t);
 const ray = (degrees) => [Math.cos(degrees * Math.PI / 180), Math.sin(degrees * Math.PI / 180)];
 // After a step that was asked for, a number is read for so many seconds before it flies.
 const READ = .3;
+// What fades hides nothing beneath it, when it has so little ink.
+const NEARLY_GONE = .3;
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
 // Called again and again, it lets something be done once, when no call has come for some milliseconds.
@@ -87,11 +89,15 @@ function growing(mark, [kind, knots, x, y, ...bow]) {
     turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
     scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
     swing: ([factor]) => draw((whole) => squeezed(whole, factor, x, y, ...bow)),
-    // A halo repeats its text with <use>, and stays.
-    fade: ([alpha]) => elements.at(-1).setAttribute(mark.querySelector("text") ? "fill-opacity" : "opacity", alpha),
+    // A halo repeats its text with <use>, and stays until that is nearly gone, as in vad/painting/painter.py.
+    fade: ([alpha]) => {
+      const text = mark.querySelector("text"), last = elements.at(-1);
+      last.setAttribute(text ? "fill-opacity" : "opacity", alpha);
+      if (text) last.setAttribute("stroke-opacity", +(alpha > NEARLY_GONE));
+    },
   };
   const restore = () => elements.concat(mark).forEach((each, i) => {
-    for (const name of ["transform", "opacity", "fill-opacity"]) each.removeAttribute(name);
+    for (const name of ["transform", "opacity", "fill-opacity", "stroke-opacity"]) each.removeAttribute(name);
     if (data[i]) each.setAttribute("d", data[i]);
     if (radii[i]) each.setAttribute("r", radii[i]);
   });
