@@ -52,7 +52,7 @@ ROOMS = 9
 #: Farther from its dot, a letter needs a lens; and farther than that, the drawing is spoilt.
 FAR, ASTRAY = 40.0 * PIXEL, 100.0 * PIXEL
 #: Where a leader lies on strokes, or a letter is astray, so many smaller drawings are tried.
-BETTER = 2
+BETTER = 3
 
 
 class NoRoomError(Exception):
