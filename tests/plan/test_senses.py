@@ -7,6 +7,7 @@ import math
 from collections import Counter
 from itertools import combinations
 
+import numpy as np
 import pytest
 
 import vad
@@ -20,7 +21,7 @@ from vad.plan.geometry import Rect
 from vad.plan.items import ALWAYS, FOREVER, Item
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Bow, Lettering, Polygon
-from vad.plan.pictures.sense_places import Places
+from vad.plan.pictures.sense_places import Places, distances
 from vad.plan.pictures.senses import found_senses
 from vad.plan.pictures.senses_in_views import senses_in_views
 from vad.plan.problem_sheet import blank_panels, problem
@@ -199,6 +200,12 @@ def test_no_more_places_are_looked_at_than_up_to_the_best(monkeypatch, name, mos
     kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
     drawn(kind())
     assert 0 < counts.total() <= most, counts
+
+
+@pytest.mark.parametrize("length", [0.0, 1e-200, 1e-100])
+def test_a_bar_may_be_as_short_as_a_point(length):
+    bar = complex(1.0), 1.0 + length * 1j
+    assert distances(np.array([1.0, 4.0 + 4.0j]), [bar]).tolist() == [0.0, 5.0]
 
 
 def test_an_arrow_comes_with_the_stroke_that_finds_it_and_not_on_a_problem():

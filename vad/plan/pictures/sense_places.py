@@ -331,9 +331,8 @@ class Places:
         off = distances(middles, self.bars)
         apt = np.asarray((off < self.farthest) & (off <= distances(middles, self.others) + PIXEL))
         if self.pivots:
-            seen = (middles[:, None] - np.array(self.pivots)) / (middles - self._arrows.centres)[
-                :, None
-            ]
+            outs = np.exp(1j * np.radians(self._arrows.middles))
+            seen = (middles[:, None] - np.array(self.pivots)) * outs[:, None].conjugate()
             apt &= (seen.real > ALIKE * np.abs(seen)).any(axis=1)
         for end in self.ends:  # those within its circle it turns about as well
             within = np.abs(self._arrows.centres - end) < self._arrows.radii
@@ -414,6 +413,7 @@ def distances(spots: Complexes, bars: Sequence[Bar]) -> Reals:
     found = np.full(spots.shape, np.inf)
     for start, end in bars:
         way = end - start
-        along = np.clip(((spots - start) * way.conjugate()).real / abs(way) ** 2, 0.0, 1.0)
+        square = max(abs(way), 1e-9) ** 2  # a bar may be as short as a point
+        along = np.clip(((spots - start) * way.conjugate()).real / square, 0.0, 1.0)
         found = np.minimum(found, np.abs(spots - start - along * way))
     return found
