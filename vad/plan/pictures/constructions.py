@@ -38,6 +38,7 @@ from vad.strokes.sheet import Arc, Line, Panel
 OVERSHOOT = 0.06  # of a line, past its crossing
 STUB = 0.080
 SQUARE = 0.022
+FEET = (0.0, 0.25, 0.5)  # of a stub: so much of its line is before it
 PENCIL = 0.0085
 LONG_LEG = 0.26
 SHORT_LEG = math.tan(math.radians(30))  # of the long one
@@ -193,14 +194,13 @@ def name_construction(
 
     if shape.square_to:
         middle = sum(points, 0j) / max(len(points), 1)
-        stub, length = _stub(start, placed.way, middle, sketch.obstacles.during(span))
-        marks = right_angle(start, placed.way, stub, placed.row, length, COMING)
+        foot, stub, length = _stub(placed, middle, sketch.obstacles.during(span))
+        marks = right_angle(foot, placed.way, stub, placed.row, length, COMING)
         sketch.add(stroke, Level.CONSTRUCTION, span[0], marks, span[1])
         if length > SQUARE:
-            tip = start + length * stub
-            sketch.obstacles.line([start, tip], PIXEL, span)
-            foot = start + 0.6 * (tip - start)
-            ends = hung(foot), hung(tip)
+            tip = foot + length * stub
+            sketch.obstacles.line([foot, tip], PIXEL, span)
+            ends = hung(foot + 0.6 * length * stub), hung(tip)
             add_tag(sketch, stroke, shape.square_to, ends, SMALL_SIZE, span, span[0], COMING)
     ends = hung(start), hung(placed.end)
     add_tag(sketch, stroke, stroke.label, ends, SIZE, span, span[0], COMING)
@@ -208,27 +208,27 @@ def name_construction(
 
 
 def _stub(
-    at: complex, way: complex, middle: complex, obstacles: Obstacles
-) -> tuple[complex, float]:
-    """Return the direction and length of the link's stub at a right angle.
+    placed: PlacedLine, middle: complex, obstacles: Obstacles
+) -> tuple[complex, complex, float]:
+    """Return where on a line the link's stub stands, its direction and its length.
 
-    It points away from the polygon, if that is clear; where neither side has room for a stub,
-    the square stands alone.
+    It stands at its beginning, if it has room there, and best points away from the polygon.
+    Without room for a stub the square stands alone.
     """
-    sides = sorted((1j * way, -1j * way), key=lambda s: ((middle - at) * s.conjugate()).real)
-    for length in (STUB, 0.75 * STUB, 0.55 * STUB):
-        for side in sides:
-            reach = [0.02 + (length - 0.02) * i / 6 for i in range(7)]
-            spots = [at + side * share for share in reach]
-            clear = bool(obstacles.free(spots, 0.0, 0.0, 0.005).all())
-            if clear and obstacles.clear_of_labels([(spots[0], spots[-1])], 2.0 * PIXEL).all():
-                return side, length
+    start, way = placed.start, placed.way
+    sides = sorted((1j * way, -1j * way), key=lambda s: ((middle - start) * s.conjugate()).real)
+    for share, length, side in product(FEET, (STUB, 0.75 * STUB, 0.55 * STUB), sides):
+        foot = start + share * (placed.end - start)
+        spots = [foot + side * (0.02 + (length - 0.02) * i / 6) for i in range(7)]
+        clear = bool(obstacles.free(spots, 0.0, 0.0, 0.005).all())
+        if clear and obstacles.clear_of_labels([(spots[0], spots[-1])], 2.0 * PIXEL).all():
+            return foot, side, length
     corner = SQUARE * way
     for side in sides:
-        spots = [at + side * SQUARE * share + corner for share in (0.6, 1.0)]
+        spots = [start + side * SQUARE * share + corner for share in (0.6, 1.0)]
         if obstacles.free(spots, 0.0, 0.0, PIXEL).all():
-            return side, SQUARE
-    return sides[0], SQUARE
+            return start, side, SQUARE
+    return start, sides[0], SQUARE
 
 
 def construction_end(through: complex, direction: complex, until: complex, room: Rect) -> complex:
