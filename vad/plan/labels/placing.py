@@ -7,6 +7,7 @@ bisector, then in other directions, then farther off with a leader.
 from __future__ import annotations
 
 import cmath
+import itertools
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 
 from vad.plan.geometry import Rect
 from vad.plan.items import ALWAYS, Span
-from vad.plan.labels.obstacles import PIXEL, Complexes, Obstacles, Reals
+from vad.plan.labels.obstacles import PIXEL, Bools, Complexes, Obstacles, Reals
 
 GAP = 0.014
 CLEARANCE = 0.006
@@ -301,10 +302,9 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
         clear, apart = (0.5 * PIXEL, TIGHT) if tight else (CLEARANCE, APART)
         tried, least, best = 0, math.inf, None
         for first in range(0, len(centres), _AT_ONCE):  # one of the nearest is mostly clear
-            some = centres[first : first + _AT_ONCE]
-            free = obstacles.free(some, wish.wide, wish.high, clear, apart)
-            spots = [Placed(some[i], wish.wide, wish.high) for i in np.flatnonzero(free)]
-            led = [_led(wish, spot.centre) for spot in spots if not _is_strange(spot, wish)]
+            some = np.array(centres[first : first + _AT_ONCE])
+            some = some[obstacles.free(some, wish.wide, wish.high, clear, apart)]
+            led = [_led(wish, spot) for spot in some[~_strange(some, wish)].tolist()]
             if not led:
                 continue
             starts, ends = np.array([each.leader or (wish.at, wish.at) for each in led]).T
@@ -313,13 +313,13 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
                 return last
             if LENGTH_COUNTS * shortest > least + SPARED:
                 break
-            met = obstacles.labels_met(np.stack((starts, ends), axis=1), 1.5 * PIXEL)
+            met = obstacles.labels_met(np.stack((starts, ends), axis=1), 1.5 * PIXEL) > 0
+            if met.any() and not through:
+                through = replace(led[met.argmax()], forced=True)
+            starts, ends = starts[~met], ends[~met]
             costs = obstacles.all_covered(starts, ends) + PASSING * _passed(wish, starts, ends)
-            for spot, labels, cost in zip(led, met.tolist(), costs.tolist(), strict=True):
-                if labels and not through:
-                    through = replace(spot, forced=True)
-                if labels:
-                    continue
+            bare = itertools.compress(led, ~met)
+            for spot, cost in zip(bare, costs.tolist(), strict=True):
                 if not spot.leader or not cost:
                     return replace(spot, forced=tight)
                 tried, long = tried + 1, abs(spot.leader[1] - spot.leader[0])
@@ -347,12 +347,14 @@ def _passed(wish: Wish, starts: Complexes, ends: Complexes) -> Reals:
     return count
 
 
-def _is_strange(spot: Placed, wish: Wish) -> bool:
-    """Tell whether a label is beside another dot than its own, and so would name that."""
-    box = spot.box
-    near = min(STRANGE, distance(box, wish.at))
-    left, right = box.left - near, box.right + near
-    return any(left < rival.real < right and distance(box, rival) < near for rival in wish.rivals)
+def _strange(centres: Complexes, wish: Wish) -> Bools:
+    """Tell which places are beside another dot than the own one, so that a label names that."""
+    dots = np.array([wish.at, *wish.rivals], dtype=np.complex128)
+    away = centres[:, None] - dots
+    aside = np.maximum(np.abs(away.real) - wish.wide / 2, 0.0)
+    above = np.maximum(np.abs(away.imag) - wish.high / 2, 0.0)
+    off = np.hypot(aside, above)
+    return np.asarray((off[:, 1:] < np.minimum(STRANGE, off[:, :1])).any(axis=1))
 
 
 def _far(edge: Rect, wish: Wish) -> Iterator[tuple[bool, list[complex]]]:

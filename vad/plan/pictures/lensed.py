@@ -17,7 +17,7 @@ from typing import NamedTuple
 from vad.plan.geometry import Rect
 from vad.plan.items import ALWAYS, FOREVER
 from vad.plan.labels.choices import PlacedLabels
-from vad.plan.labels.close import MOST, close_places
+from vad.plan.labels.close import MANY, MOST, close_places
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import distance, is_short
 from vad.plan.labels.vertices import Vertex, label_vertices
@@ -144,7 +144,8 @@ def with_lenses(setting: Setting, draw: Draw) -> Sketch:
     On a mechanism a letter alone brings none: the room is for the arrows of its rates.
     """
     sketch, labels, room = _roomiest(setting, draw)
-    if labels.led and setting.lenses and setting.panel.picture == "vectors":
+    wanted = labels.led and len(sketch.vertices) <= MANY
+    if wanted and setting.lenses and setting.panel.picture == "vectors":
         other = LensedLabels(0, labels.led)
         better = _tried(draw, room, other)
         if better and len(other.led) < len(labels.led) and other.forced <= labels.forced:
