@@ -277,6 +277,35 @@ def test_draw_it_plays_the_lecture_of_the_pose(window: Page):
     window.select_option(".speed", "1")
 
 
+#: Moves the ring until another page stands; how often the table of the one that is gone changes.
+_LATE = """(name) => new Promise((done) => {
+  const find = (name) => document.querySelector(name), ring = find("[data-vad-grip]");
+  const of = ring.getBoundingClientRect(), table = find(".results"), one = find("#mechanism");
+  let late = 0, moves = 0;
+  const to = (kind) => ring.dispatchEvent(new PointerEvent(kind, { clientX: of.x + moves++ % 40,
+    clientY: of.y, bubbles: true, pointerId: 1 }));
+  ring.setPointerCapture = () => {};
+  new MutationObserver(() => { late += !table.isConnected; })
+    .observe(table, { childList: true, subtree: true, characterData: true });
+  to("pointerdown");
+  one.value = name;
+  one.dispatchEvent(new Event("change", { bubbles: true }));
+  const step = () => {
+    if (!ring.isConnected) return setTimeout(() => done([moves, late]), 200);
+    to("pointermove");
+    setTimeout(step, 5);
+  };
+  step();
+})"""
+
+
+def test_a_page_that_is_gone_is_written_no_more(window: Page):
+    load(window, "slider-crank", angle=50)
+    moves, late = window.evaluate(_LATE, "whitworth")
+    still(window)
+    assert (moves > 3, late) == (True, 0)
+
+
 def test_another_mechanism_is_an_entry_of_the_history(window: Page):
     load(window, "four-bar")
     window.select_option("#mechanism", "watt-1.toml")  # an example

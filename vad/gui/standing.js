@@ -57,10 +57,7 @@ function rules(looks) {
 // Puts a page in the place of the one that stands; what was open in that is open in this.
 function stand(answer) {
   const again = stands(), was = again && memory(), made = parsed(answer.html);
-  if (standing) {
-    standing.dock?.begin();
-    standing.player.dispose();
-  }
+  leave();
   rules(answer.looks);
   root.className = "vad page window moving";
   find(".board")?.remove();
@@ -149,10 +146,16 @@ function copy(answer) {
   return true;
 }
 
+// Lets the page that stands do nothing more.
+function leave() {
+  standing?.dock?.begin();
+  standing?.body.dispose();
+  standing?.player.dispose();
+}
+
 // Removes all that belongs to another mechanism.
 function clear() {
-  standing?.dock?.begin();
-  standing?.player.dispose();
+  leave();
   standing = null;
   root.className = "vad page window";
   find(".board")?.remove();

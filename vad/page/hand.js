@@ -11,7 +11,7 @@
 //   limits       outputs that are zero where links part, and how they stand there
 // Listeners hear of every pose: on(listener).  What is text follows less often, so that it can be
 // read: reads(listener), written with the table.  said() lets all text be that of the pose at once, and
-// of the next one, too.
+// of the next one, too.  dispose() lets no more text come when another page takes the place of this one.
 
 // Of the size of a mechanism: two places that are nearer are one.
 const MEETING = 1e-4;
@@ -23,7 +23,8 @@ const POSES_WHOLE = 48;
 const LEGIBLE = 80;
 
 // Does something when it is called, and in a row of calls so often that this many milliseconds lie
-// between; the last call counts, too. now() does what is left at once, and so the next call.
+// between; the last call counts, too. now() does what is left at once, and so the next call; over()
+// leaves it undone.
 function paced(what, span) {
   let timer = 0, left = false;
   const call = () => {
@@ -38,6 +39,7 @@ function paced(what, span) {
     if (left) call();
   };
   call.now = () => { ring(); ring(); };
+  call.over = () => clearTimeout(timer);
   return call;
 }
 
@@ -186,6 +188,7 @@ function driven(root, solve, data) {
     on: (listener) => listeners.push(listener),
     reads: (reader) => readers.push(reader),
     said: say.now,
+    dispose: say.over,
     rest: () => { wanted = state[0]; },
     get ranges() { return ranges; },
     get range() { return range; },
