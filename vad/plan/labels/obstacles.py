@@ -27,6 +27,8 @@ PIXEL = 1.0 / 720.0
 _SAMPLED, _MOST_SAMPLES = 3.0 * PIXEL, 500
 #: So many pairs of a box and a stroke are compared at once: that bounds the memory.
 _MOST_AT_ONCE = 1 << 20
+#: What moves less across an axis stands still.
+_STILL = 1e-12
 #: No stroke reaches farther, in page heights: so near, where it crosses the page is still told.
 _FARTHEST = 1e9
 
@@ -182,10 +184,20 @@ class Obstacles:
         long = np.abs(ways)
         steps = np.clip(long / _SAMPLED, 2.0, _MOST_SAMPLES).astype(np.intp)
         number = np.repeat(np.arange(len(at)), steps - 1)
-        first = np.cumsum(steps - 1) - (steps - 1)
-        share = np.arange(1, len(number) + 1) - first[number]
+        before = np.cumsum(steps - 1) - (steps - 1)
+        share = np.arange(1, len(number) + 1) - before[number]
         centres: Complexes = at[number] + ways[number] * share / steps[number]
-        lies_on = ~self.free(centres, 0.0, 0.0, PIXEL)
+        lies_on = ~Obstacles(self.edge, [], self.boxes).free(centres, 0.0, 0.0, PIXEL)
+        if self.lines:
+            first, last = _met_between(at, ways, PIXEL, self._strokes())
+            first = np.ceil(np.clip(first * steps[:, None], 1.0, steps[:, None]))
+            last = np.floor(np.clip(last * steps[:, None], 0.0, steps[:, None] - 1.0))
+            met = np.nonzero(first <= last)
+            begun = before[met[0]] + first[met].astype(np.intp) - 1
+            ended = before[met[0]] + last[met].astype(np.intp)
+            count = len(number) + 1
+            begun, ended = (np.bincount(each, minlength=count) for each in (begun, ended))
+            lies_on |= np.cumsum(begun - ended)[:-1] > 0
         found: Reals = np.bincount(number, lies_on, len(at)) * long / steps
         return found
 
@@ -248,3 +260,29 @@ def _meets(at: Complexes, half_x: float | Reals, half_y: float | Reals, strokes:
     meets &= np.abs(away.real) <= aside + long
     meets &= np.abs(away.imag) <= above + tall
     return meets
+
+
+def _met_between(
+    at: Complexes, ways: Complexes, half: float, strokes: _Strokes
+) -> tuple[Reals, Reals]:
+    """Return between which shares of its way a square that moves meets each stroke.
+
+    There is a row for each way.  The axes are those of `_meets`: on each, the square is near enough
+    during one stretch.
+    """
+    away = at[:, None] - strokes.middles
+    long, tall = np.abs(strokes.ways.real), np.abs(strokes.ways.imag)
+    near = half + strokes.halves
+    normal = 1j * strokes.ways.conjugate()
+    axes = (
+        (away.real, ways.real[:, None], near + long),
+        (away.imag, ways.imag[:, None], near + tall),
+        ((away * normal).real, (ways[:, None] * normal).real, near * (long + tall)),
+    )
+    first, last = np.zeros(away.shape), np.ones(away.shape)
+    for off, rate, reach in axes:
+        speed = np.where(np.abs(rate) < _STILL, _STILL, rate)
+        middle, spread = -off / speed, (reach + _STILL) / np.abs(speed)
+        first = np.maximum(first, middle - spread)
+        last = np.minimum(last, middle + spread)
+    return first, last

@@ -301,9 +301,7 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
     for tight, centres in _far(obstacles.edge, wish):
         clear, apart = (0.5 * PIXEL, TIGHT) if tight else (CLEARANCE, APART)
         tried, least, best = 0, math.inf, None
-        for first in range(0, len(centres), _AT_ONCE):  # one of the nearest is mostly clear
-            some = np.array(centres[first : first + _AT_ONCE])
-            some = some[obstacles.free(some, wish.wide, wish.high, clear, apart)]
+        for some in _free_of(obstacles, wish, centres, clear, apart):
             led = [_led(wish, spot) for spot in some[~_strange(some, wish)].tolist()]
             if not led:
                 continue
@@ -333,6 +331,19 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
     if through and not wish.near:
         return replace(through, leader=None)
     return through or last
+
+
+def _free_of(
+    obstacles: Obstacles, wish: Wish, centres: Sequence[complex], clear: float, apart: complex
+) -> Iterator[Complexes]:
+    """Yield those of some places at which a label meets nothing, a few at a time."""
+    first, count = 0, _AT_ONCE  # one of the nearest is mostly clear
+    while first < len(centres):  # each round asks of the next ones, and of more
+        some = np.array(centres[first : first + count])
+        free = obstacles.free(some, wish.wide, wish.high, clear, apart)
+        parts = range(0, len(some), _AT_ONCE)
+        yield from (some[i : i + _AT_ONCE][free[i : i + _AT_ONCE]] for i in parts)
+        first, count = first + count, 4 * count
 
 
 def _passed(wish: Wish, starts: Complexes, ends: Complexes) -> Reals:
