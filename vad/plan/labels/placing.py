@@ -342,7 +342,8 @@ def _free_of(
         some = np.array(centres[first : first + count])
         free = obstacles.free(some, wish.wide, wish.high, clear, apart)
         parts = range(0, len(some), _AT_ONCE)
-        yield from (some[i : i + _AT_ONCE][free[i : i + _AT_ONCE]] for i in parts)
+        kept = (some[i : i + _AT_ONCE][free[i : i + _AT_ONCE]] for i in parts)
+        yield from (each for each in kept if each.size)
         first, count = first + count, 4 * count
 
 
