@@ -6,17 +6,18 @@ for lenses.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations, pairwise
 
 from tests.plan.knots import EQUAL, LEAST, TINY, distance, points_of, told_apart, vectors_of
+from tests.plan.seen_letters import lines_of
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Level
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lens import Lens
 from vad.plan.lettering.glyphs import typeset
-from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon, Polyline
+from vad.plan.marks import Lettering, Mark, Polyline
 from vad.plan.sketch import Sketch
 
 #: A letter farther from its dot is searched for.
@@ -115,21 +116,13 @@ def _beside(sketch: Sketch) -> list[Mark]:
     return [mark for item in stays for mark in item.marks]
 
 
-def _lines(mark: Mark) -> list[tuple[complex, ...]]:
+def _lines(mark: Mark) -> list[Sequence[complex]]:
     """Return the lines of a mark; of text its box."""
-    match mark.shape:
-        case Polyline(pieces):
-            return list(pieces)
-        case Polygon(rings):
-            return [(*ring, ring[0]) for ring in rings]
-        case Bow():
-            return [tuple(mark.shape.line(2.0))]
-        case Disc(centre, radius):
-            return [tuple(Bow(centre, radius, 0.0, 360.0).line(10.0))]
-        case Lettering():
-            box = _box(mark.shape)
-            low, high = complex(box.left, box.bottom), complex(box.right, box.top)
-            return [(low, complex(high.real, low.imag), high, complex(low.real, high.imag), low)]
+    if not isinstance(mark.shape, Lettering):
+        return lines_of(mark)
+    box = _box(mark.shape)
+    low, high = complex(box.left, box.bottom), complex(box.right, box.top)
+    return [(low, complex(high.real, low.imag), high, complex(low.real, high.imag), low)]
 
 
 def _box(text: Lettering) -> Rect:

@@ -135,7 +135,8 @@ def _within(box: Rect, room: Rect) -> bool:
 # --- what letters lie on --------------------------------------------------------------------------
 
 
-def _lines(mark: Mark) -> list[Sequence[complex]]:
+def lines_of(mark: Mark) -> list[Sequence[complex]]:
+    """Return the lines of a mark; text has none."""
     match mark.shape:
         case Polyline(pieces):
             return list(pieces)
@@ -158,7 +159,7 @@ def _met(word: Word, items: Sequence[Item], lenses: Sequence[Disc]) -> Iterator[
                 continue
             half = mark.width * ROLES[mark.role].width / 2 if ROLES[mark.role].line else 0.0
             about = box.inside(-half)
-            for start, end in (part for line in _lines(mark) for part in pairwise(line)):
+            for start, end in (part for line in lines_of(mark) for part in pairwise(line)):
                 x, y = sorted((start.real, end.real)), sorted((start.imag, end.imag))
                 if x[0] > about.right or x[1] < about.left:
                     continue
@@ -318,7 +319,7 @@ def _of_lines(words: Sequence[Word], items: Sequence[Item]) -> Iterator[Fault]:
 
 
 def _from(box: Rect, mark: Mark) -> float:
-    parts = (part for line in _lines(mark) for part in pairwise(line))
+    parts = (part for line in lines_of(mark) for part in pairwise(line))
     return min((_off(box, _sampled(*part)) for part in parts), default=math.inf)
 
 

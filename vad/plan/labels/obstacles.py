@@ -205,20 +205,13 @@ class Obstacles:
         self, lines: Sequence[tuple[complex, complex]] | Complexes, half_width: float
     ) -> Bools:
         """Tell for each straight stroke, given by its ends, whether it would meet no box."""
-        clear: Bools = self.labels_met(lines, half_width) == 0
-        return clear
-
-    def labels_met(
-        self, lines: Sequence[tuple[complex, complex]] | Complexes, half_width: float
-    ) -> Integers:
-        """Return for each straight stroke, given by its ends, how many boxes it would meet."""
         at = np.array([box.centre for box, _ in self.boxes], dtype=np.complex128)
         wide = np.array([box.width / 2 for box, _ in self.boxes])
         high = np.array([box.height / 2 for box, _ in self.boxes])
         starts, ends = np.array(lines, dtype=np.complex128).reshape(-1, 2).T
         strokes = _Strokes.between(starts, ends, np.full(len(starts), half_width))
-        met: Integers = _meets(at, wide, high, strokes).sum(axis=0)
-        return met
+        clear: Bools = ~np.logical_or.reduce(_meets(at, wide, high, strokes))
+        return clear
 
 
 def _near(points: Sequence[complex]) -> Complexes:

@@ -311,12 +311,12 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
                 return last
             if LENGTH_COUNTS * shortest > least + SPARED:
                 break
-            met = obstacles.labels_met(np.stack((starts, ends), axis=1), 1.5 * PIXEL) > 0
-            if met.any() and not through:
-                through = replace(led[met.argmax()], forced=True)
-            starts, ends = starts[~met], ends[~met]
+            clear_of = obstacles.clear_of_labels(np.stack((starts, ends), axis=1), 1.5 * PIXEL)
+            if not (clear_of.all() or through):
+                through = replace(led[clear_of.argmin()], forced=True)
+            starts, ends = starts[clear_of], ends[clear_of]
             costs = obstacles.all_covered(starts, ends) + PASSING * _passed(wish, starts, ends)
-            bare = itertools.compress(led, ~met)
+            bare = itertools.compress(led, clear_of)
             for spot, cost in zip(bare, costs.tolist(), strict=True):
                 if not spot.leader or not cost:
                     return replace(spot, forced=tight)

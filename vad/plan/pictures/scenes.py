@@ -15,7 +15,7 @@ import numpy as np
 
 from vad.plan.anchors import OnPage, on_page
 from vad.plan.geometry import Rect
-from vad.plan.items import FOREVER, Item, Level
+from vad.plan.items import FOREVER, Item, Level, Span
 from vad.plan.labels.close import LEAST_RING, SMALLEST, USUAL, largest
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import CLEARANCE, Placed, distance, near_places, place_all
@@ -96,9 +96,7 @@ class Scene:
             if marks:
                 self._whole.append((item, marks))
         self._strokes = Obstacles(sketch.setting.room)
-        for mark, shape in (each for _, marks in self._whole for each in marks):
-            if mark.role not in (FAINT, TINT):
-                block(self._strokes, shape, ROLES[mark.role].width / 2)
+        _block(self._strokes, (each for _, marks in self._whole for each in marks))
 
     def place(self, field: Field, first: int) -> tuple[Spot, View] | None:
         """Return the best place of a lens, and what is seen there, without the ``first`` radii."""
@@ -141,7 +139,9 @@ class Scene:
             there = _moved(placed, lens.at)
             add_letters(sketch, vertex, there, view.size, span, Level.LENS, through)
         spot.block(sketch.obstacles, since)
-        sketch.obstacles.lines += [(*each[:3], span) for each in _crowd(lens, shown).lines]
+        ink = _rimmed(lens, [])
+        _block(ink, ((mark, mark.shape) for item in shown for mark in item.marks))
+        sketch.obstacles.lines += [(*each[:3], span) for each in ink.lines]
         sketch.lenses.append(lens)
 
     def _shown(self, lens: Lens) -> list[Item]:
@@ -165,9 +165,7 @@ class Scene:
         lines = [
             (start + by, end + by, half, span) for start, end, half, span in self._strokes.lines
         ]
-        crowd = Obstacles(lens.box.inside(BAND), lines)
-        crowd.line(circle(lens.at, lens.radius), ROLES["lens rim"].width / 2)
-        return crowd
+        return _rimmed(lens, lines)
 
     def _view(self, radius: float) -> View | None:
         """Return what a lens of a radius shows about the origin; None where letters lack room."""
@@ -223,15 +221,18 @@ def _moved(placed: Placed, by: complex) -> Placed:
     )
 
 
-def _crowd(lens: Lens, shown: Iterable[Item]) -> Obstacles:
-    """Return what letters keep clear of in a lens: as beside it, not of tints and faint lines."""
-    seen = Obstacles(lens.box.inside(BAND))
-    seen.line(circle(lens.at, lens.radius), ROLES["lens rim"].width / 2)
-    for item in shown:
-        for mark in item.marks:
-            if mark.role not in (FAINT, TINT):
-                block(seen, mark.shape, ROLES[mark.role].width / 2)
-    return seen
+def _rimmed(lens: Lens, lines: list[tuple[complex, complex, float, Span]]) -> Obstacles:
+    """Return lines in a lens, and its rim, as what letters in it keep clear of."""
+    found = Obstacles(lens.box.inside(BAND), lines)
+    found.line(circle(lens.at, lens.radius), ROLES["lens rim"].width / 2)
+    return found
+
+
+def _block(obstacles: Obstacles, marks: Iterable[tuple[Mark, Outline]]) -> None:
+    """Add marks by their shapes in a lens, but for tints and faint lines."""
+    for mark, shape in marks:
+        if mark.role not in (FAINT, TINT):
+            block(obstacles, shape, ROLES[mark.role].width / 2)
 
 
 def _letters(
