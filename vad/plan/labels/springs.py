@@ -1,12 +1,11 @@
 """Labels of a turn: each keeps to its side of its dot, and glides away from strokes.
 
 From the dots and strokes of evenly spaced poses follows where each label stands about its dot all
-through a turn.  A label never moves faster than the eye can follow.  It may also hop to another
-place at its dot: it is absent for a moment, and then shows there.  Of all such closed motions, the
-one with the least cost is found by dynamic programming over direction and distance, and then
-smoothed between the hops.  If a stroke sweeps past and no motion avoids it, the label is absent
-until the stroke has passed.  Sums over the cells that strokes occupy tell how crowded a place is in
-each pose (`Crowd`).
+through a turn.  A label never moves faster than the eye can follow.  Of all such closed motions,
+the one with the least cost is found by dynamic programming over direction and distance, and then
+smoothed.  If a stroke sweeps past and no motion avoids it, the label glides across it, where its
+halo keeps it readable; if it cannot in a moment, it is absent until the stroke has passed.  Sums
+over the cells that strokes occupy tell how crowded a place is in each pose (`Crowd`).
 """
 
 from __future__ import annotations
@@ -31,21 +30,22 @@ DIRECTIONS = 48
 GAPS = (0.007, 0.014, 0.024, 0.036, 0.050, 0.066)
 #: How far a label may move about its dot from one pose to the next, of `POSES` in a turn.
 POSES = 120
-FASTEST = 11.0 * PIXEL
+FASTEST = 22.0 * PIXEL
 
 # What a label pays in each pose: for standing where it should not …
-_CROSSED, _OUTSIDE, _COVERED, _MISREAD, _CLOSE, _ON_WAY = 30.0, 60.0, 40.0, 8.0, 2.0, 0.4
+_CROSSED, _OUTSIDE, _COVERED, _MISREAD, _CLOSE, _ON_WAY = 30.0, 60.0, 200.0, 8.0, 2.0, 0.4
 _PER_CELL = 0.15
+_FIRST = 4.0  # so many times as much in the first pose, which is drawn as a still, too
 _FAR = np.array([0.0, 0.1, 0.4, 1.0, 2.0, 3.5])
-_STIFF = 0.5  # … for moving on as fast as it may …
-_HOP = 30.0  # … and for a hop.
+_STIFF = 2.0  # … and for moving on as fast as it may.
 _APART = (0.020, 0.006)  # between labels, aside and above
 _NEARER = 1.3  # by this factor a label is nearer to its own dot than to any other
 _MET = 2.0 * PIXEL  # so near to a stroke a label is not visible any more
-_CLEAR = 1  # poses before and after that, in which it is absent, too
+_ACROSS = 4  # for so many poses it may lie on strokes while it glides across them
+_CLEAR = 1  # poses before and after an absence, in which it is absent, too
 _BRIEF = 8  # for so few poses between two absences a label does not come back
 _LAPS = 3  # the middle one is free of its beginning and of its end
-_MOVES = [(turn, step) for turn in range(-3, 4) for step in (-1, 0, 1)]
+_MOVES = [(turn, step) for turn in range(-6, 7) for step in (-1, 0, 1)]
 _SMOOTHING = np.array([1.0, 2.0, 3.0, 2.0, 1.0]) / 9.0
 #: How much a way is smoothed so many poses from one in which the smoothed label would meet
 #: something, and how often that is looked for.
@@ -82,14 +82,10 @@ class Ballast:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Spring:
-    """Where a label's centre stands from its dot, and in which poses it shows; shape (poses,).
-
-    ``hops`` tells in which poses it stands at another place than in the pose before.
-    """
+    """Where a label's centre stands from its dot, and in which poses it shows; shape (poses,)."""
 
     offsets: Complexes
     shown: Bools
-    hops: Bools
 
     def at(self, phase: float) -> complex | None:
         """Return the offset at a phase, 0 to 1; None while the label is absent."""
@@ -97,7 +93,7 @@ class Spring:
         place = phase % 1.0 * count
         first, share = int(place) % count, place % 1.0
         last = (first + 1) % count
-        if not self.shown[first] or (share and (self.hops[last] or not self.shown[last])):
+        if not self.shown[first] or (share and not self.shown[last]):
             return None
         return complex((1 - share) * self.offsets[first] + share * self.offsets[last])
 
@@ -131,8 +127,8 @@ def find_spring(
     seen = np.isfinite(dots)
     costs = _costs(np.where(seen, dots, among.edge.centre), table, size, rivals, among, placed)
     costs[~seen] = 0.0
+    costs[0] *= _FIRST
     path = _cheapest(costs, *_moves(table))
-    hops: Bools = np.abs(table[path] - table[np.roll(path, 1)]) > FASTEST
     about = np.where(seen, dots, among.edge.centre)
 
     def meets(offsets: Complexes) -> Bools:
@@ -141,10 +137,10 @@ def find_spring(
         met |= _covered(centres, size, placed, (0.0, 0.0))[:, 0]
         return met & seen
 
-    offsets = _calm(table[path], hops, meets)
+    offsets = _calm(table[path], meets)
     shown = _shown(meets(offsets))
     placed.append((np.where(seen & shown, about + offsets, np.nan), size))
-    return Spring(offsets, shown, hops)
+    return Spring(offsets, shown)
 
 
 def _table(size: tuple[float, float], radius: float) -> Complexes:
@@ -193,10 +189,15 @@ def _covered(
 
 
 def _shown(met: Bools) -> Bools:
-    """Tell in which poses a label shows that is absent where a stroke meets it."""
+    """Tell in which poses a label shows that is absent where a stroke meets it for long."""
+    if met.all():
+        return ~met
     shown: Bools = np.ones(len(met), dtype=np.bool_)
-    for shift in range(-_CLEAR, _CLEAR + 1):
-        shown &= ~np.roll(met, shift)
+    for first in np.flatnonzero(met & ~np.roll(met, 1)).tolist():
+        length = int(np.roll(met, -first).argmin())
+        if length > _ACROSS:
+            away = np.arange(first - _CLEAR, first + length + _CLEAR)
+            shown[away % len(met)] = False
     if shown.all() or not shown.any():
         return shown
     first = int(shown.argmin())  # an absence, from which the runs are counted
@@ -238,10 +239,8 @@ def _cheapest(costs: Reals, sources: Ints, prices: Reals) -> Ints:
     for number in range(1, _LAPS * count):
         table = best[sources] + prices
         choice = table.argmin(axis=0)
-        source, price, least = sources[choice, columns], table[choice, columns], best.argmin()
-        hopped = price > best[least] + _HOP
-        came.append(np.where(hopped, least, source))
-        best = np.where(hopped, best[least] + _HOP, price) + costs[number % count]
+        came.append(sources[choice, columns])
+        best = table[choice, columns] + costs[number % count]
     path = [int(best.argmin())]
     for source in reversed(came):
         path.append(int(source[path[-1]]))
@@ -249,28 +248,22 @@ def _cheapest(costs: Reals, sources: Ints, prices: Reals) -> Ints:
     return np.array(path[count : 2 * count])
 
 
-def _calm(offsets: Complexes, hops: Bools, meets: Callable[[Complexes], Bools]) -> Complexes:
-    """Return offsets that are smoothed as far as that lets their label meet nothing."""
-    smooth, share = _smooth(offsets, hops), np.ones(len(offsets))
+def _calm(offsets: Complexes, meets: Callable[[Complexes], Bools]) -> Complexes:
+    """Return offsets that are smoothed as far as that lets their label meet nothing more."""
+    smooth, share = _smooth(offsets), np.ones(len(offsets))
+    unavoidable = meets(offsets)
     for _ in range(_ROUNDS):
-        met = meets(offsets + share * (smooth - offsets))
+        met = meets(offsets + share * (smooth - offsets)) & ~unavoidable
         for shift, most in _EASED.items():
             share = np.where(np.roll(met, shift), np.minimum(share, most), share)
     return offsets + share * (smooth - offsets)
 
 
-def _smooth(values: Complexes, hops: Bools) -> Complexes:
-    """Return a closed row of values, each averaged with its neighbours as far as the next hop."""
-    count, reach = len(values), len(_SMOOTHING) // 2
-    smoothed, weights = np.zeros_like(values), np.zeros(count)
-    for shift, weight in zip(range(-reach, reach + 1), _SMOOTHING, strict=True):
-        parted = np.zeros(count, dtype=np.bool_)
-        for step in range(abs(shift)):
-            parted |= np.roll(hops, step if shift > 0 else -1 - step)
-        share = np.where(parted, 0.0, weight)
-        smoothed += share * np.roll(values, shift)
-        weights += share
-    return smoothed / weights
+def _smooth(values: Complexes) -> Complexes:
+    """Return a closed row of values, each averaged with its neighbours."""
+    reach = len(_SMOOTHING) // 2
+    shifted = [np.roll(values, shift) for shift in range(-reach, reach + 1)]
+    return np.array(_SMOOTHING @ np.array(shifted))
 
 
 class Crowd:
