@@ -26,6 +26,7 @@ MOVES = 24
 MOST = {
     "four-bar": (82, 94, 83, 26, 99),
     "hooke-joint": (123, 240, 125, 53, 145),
+    "spherical-four-bar": (226, 900, 165, 58, 205),
     "whitworth": (82, 81, 88, 32, 117),
 }
 #: Milliseconds from one text to the next while the hand moves.

@@ -54,7 +54,7 @@ _WALK = """(count) => {
   function check(before) {
     const shown = names.all.filter((each) => each.shell.style.display !== "none");
     const at = (each) => {
-      const [, x, y] = /translate\\((\\S+) (\\S+)\\)/.exec(each.shell.getAttribute("transform"));
+      const [, x, y] = /translate\\((\\S+)px, (\\S+)px\\)/.exec(each.shell.style.transform);
       return [+x / unit, -y / unit];
     };
     const here = new Map(shown.map((each) => [each, at(each)]));

@@ -15,6 +15,9 @@
 //   polygons        their scales: the first of three inputs, corners, room, and what a bar states
 //   cells           row, column, place, output, factor, unit, whether given
 
+// Degrees: a shorter arc is no arc.
+const NO_SWEEP = 1e-6;
+
 function picture(root, solve, data) {
   const out = new Float64Array(data.size), state = [...data.start], counts = { attributes: 0, candidates: 0 };
   const [unit, left, top] = data.page;
@@ -39,7 +42,8 @@ function picture(root, solve, data) {
     t: ([at, from]) => pair((out[at[0]] - from[0]) * unit, (from[1] - out[at[1]]) * unit),
   };
   const set = {
-    c: (element, text) => text.split(" ").forEach((each, n) => element.setAttribute(n ? "cy" : "cx", each)),
+    // As a style, the place of a circle takes less of a frame than as two attributes.
+    c: ({ style }, text) => text.split(" ").forEach((each, n) => (style[n ? "cy" : "cx"] = `${each}px`)),
     t: (element, text) => element.setAttribute("transform", `translate(${text})`),
   };
   const path = (element, text) => element.setAttribute(element.localName === "path" ? "d" : "points", text);
@@ -71,8 +75,10 @@ function picture(root, solve, data) {
     return path;
   }
 
-  // An arc of a circle, which is narrow across its axis (p, q) where it is seen from the side.
+  // An arc of a circle, which is narrow across its axis (p, q) where it is seen from the side. Of a curve
+  // on a sphere, most pieces in front and behind are of no length: they are not drawn.
   function bow(u, v, radius, start, sweep, p = 1, q = 0, narrow = 1) {
+    if (Math.abs(sweep) < NO_SWEEP) return "";
     if ([u, v, radius, start, sweep, p, q, narrow].some((each) => each - each !== 0)) return "";
     const turns = Math.max(1, Math.ceil(Math.abs(sweep) / 90));
     const at = (k) => {
