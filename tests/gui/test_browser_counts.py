@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
-from statistics import median
+from statistics import median, quantiles
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -123,11 +123,14 @@ def test_a_move_sets_no_more_than_it_moves_and_asks_nobody(browser: Browser, nam
 
 
 def work(events: dict[str, Any]) -> tuple[float, float, float]:
-    """Return what the browser does for most frames: elements styled, objects and pages laid out."""
+    """Return what the browser does for a frame: elements styled, objects and pages laid out.
+
+    That of most frames: in some the table is written, too, and on a busy machine in many of them.
+    """
     found = [(each["name"], each["args"]) for each in events["traceEvents"]]
     styled = [args.get("elementCount", 0) for name, args in found if name == "UpdateLayoutTree"]
     laid = [args["beginData"] for name, args in found if name == "Layout"]
-    objects = median(each["dirtyObjects"] for each in laid)
+    objects = quantiles([each["dirtyObjects"] for each in laid])[0]
     return median(styled), objects, median(not each["partialLayout"] for each in laid)
 
 
