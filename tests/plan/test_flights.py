@@ -19,7 +19,7 @@ from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.items import FLIGHT, Level
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
-from vad.plan.pictures.flights import ARCH, Flight
+from vad.plan.pictures.flights import ARCH, SHORTEST_FLIGHT, Flight
 from vad.plan.pictures.traces import crossings, strokes_at
 from vad.plan.stage import Stage
 from vad.strokes.sheet import Arrow
@@ -343,6 +343,19 @@ def test_the_vector_of_the_crank_turns_about_its_pin():
     for seconds in (lift, lift + turn / 2, lift + turn):
         share = smooth(seconds / (lift + turn + stretch + fly + LANDED))
         assert ends(shaft, share)[0] == pytest.approx(pin)
+
+
+def test_a_vector_too_short_to_be_seen_does_not_fly():
+    """It grows in its place; one that is a little longer flies."""
+    lengths = {True: [], False: []}
+    for alpha in np.linspace(0.2, 12.0, 24):
+        sheet = vad.draw(vad.solve(vad.SliderCrank(), alpha=float(alpha)))
+        board, name = filmed(sheet), "acceleration:AB.tangential"
+        scale = board.sketches["acceleration"].scale
+        shape = next(s.shape for s in sheet.panel("acceleration").strokes if s.name in name)
+        flies = any(item.stroke == name for item in flights(board))
+        lengths[flies].append(scale.factor * abs(shape.end - shape.start))
+    assert max(lengths[False]) < SHORTEST_FLIGHT <= min(lengths[True])
 
 
 def test_nothing_flies_without_its_source():

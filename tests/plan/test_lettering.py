@@ -130,6 +130,16 @@ def test_lines_break_at_a_colon_or_comma_and_never_in_an_equation():
         assert lines[0][-1] in ",:"
 
 
+def test_lines_break_between_sentences_if_they_can():
+    text = (
+        "⟂ DC through d′: its length is not known, so c′ lies on it. c′ is where both lines cross."
+    )
+    for room in range(750, 950, 10):
+        lines = ["".join(r.text for r in line) for line in wrap((TextPiece(text),), 28.0, room)]
+        assert len(lines) == 2
+        assert lines[1] == "c′ is where both lines cross."
+
+
 def test_an_equation_longer_than_a_line_breaks_before_a_sign():
     text = "ω = ce/CE = 153.3/300 = 0.5109 rad/s"
     lines = ["".join(r.text for r in line) for line in wrap((TextPiece(text),), 28.0, 300.0)]

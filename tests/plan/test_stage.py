@@ -19,11 +19,14 @@ from vad.painting.painter import shown_marks
 from vad.painting.posed import board_of, posed
 from vad.plan.board import Plan, seen
 from vad.plan.items import Item, together
+from vad.plan.layout import MARGIN
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering
+from vad.plan.page.changing import caption_lines
 from vad.plan.page.work import parts
 from vad.plan.stage import MOVING, Stage
 from vad.style import load_style
+from vad.words import languages
 
 pytestmark = pytest.mark.exhaustive
 
@@ -145,6 +148,37 @@ def test_a_move_begins_and_ends_where_its_scenes_stand(name: str):
             assert all(
                 abs(a - b) < 1e-6 for a, b in zip(sorted_(there), sorted_(near), strict=True)
             )
+
+
+@pytest.mark.parametrize("name", ["slider-crank", "spatial-four-bar"])
+def test_no_head_crosses_another_one_while_panels_move(name: str):
+    """It stands where it does in one of the two scenes, and fades."""
+    stage = stage_of(name)
+    counts = scene_numbers(stage.sheet)
+    for number in range(stage.count - 1):
+        beat = done(counts.index(number + 1))
+        before, between, after = (_titles(stage, beat, number + x) for x in (0.0, 0.4, 1.0))
+        assert len(between) >= 2
+        assert set(between) <= {*before, *after}
+
+
+def _titles(stage: Stage, beat: int, scene: float) -> list[tuple[str, complex]]:
+    """Return the titles of panels, and where they begin."""
+    titles = {panel.title for panel in stage.sheet.panels}
+    shapes = [m.shape for i in seen(stage, Moment(beat, scene=scene)) for m in i.marks]
+    texts = [s for s in shapes if isinstance(s, Lettering) and s.at.imag > 0.8]
+    found = [("".join(run.text for run in text.runs), text.at) for text in texts]
+    return [each for each in found if each[0] in titles]
+
+
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize("name", EVERY)
+def test_no_caption_takes_more_than_two_lines_at_4_3(name: str, language: str):
+    mechanism = kind_of(name)()
+    for alpha in {0.0, 20.0} if "alpha" in mechanism.inputs else {None}:
+        inputs = mechanism.inputs if alpha is None else {**mechanism.inputs, "alpha": alpha}
+        sheet = vad.draw(vad.solve(mechanism, **inputs), language=language)
+        assert caption_lines(sheet, 4 / 3 - 2 * MARGIN) <= 2
 
 
 def _moves(item: Item) -> bool:

@@ -110,9 +110,9 @@ def test_velocity_lines_are_square_to_the_link_and_acceleration_lines_at_its_ang
 @pytest.mark.parametrize(
     ("code", "said"),
     [
-        ("en", "b′c′e′ is similar to BCE, lettered in the same sense: b′e′ = b′c′·BE/BC = "),
-        ("de", "b′c′e′ ist ähnlich zu BCE, mit gleichem Umlaufsinn: b′e′ = b′c′·BE/BC = "),
-        ("fr", "b′c′e′ est semblable à BCE, de même sens : b′e′ = b′c′·BE/BC = "),
+        ("en", "b′c′e′ is directly similar to BCE: b′e′ = b′c′·BE/BC = "),
+        ("de", "b′c′e′ ist gleichsinnig ähnlich zu BCE: b′e′ = b′c′·BE/BC = "),
+        ("fr", "b′c′e′ est directement semblable à BCE : b′e′ = b′c′·BE/BC = "),
     ],
 )
 def test_the_image_is_said(code: str, said: str):

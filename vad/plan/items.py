@@ -15,6 +15,8 @@ FOREVER = 1_000_000
 
 #: The regions of a page that belong to no panel; that of a panel's drawing is the panel's name.
 TITLE, RESULTS, CAPTION = "title", "results", "caption"
+#: How the name of a region above a panel's drawing ends.
+HEAD = " head"
 #: The whole page of a problem sheet, for the task and the lines for name and class.
 TASK = "task"
 #: The whole page, over everything else: what flies from one panel to another while a stroke is
@@ -81,7 +83,7 @@ class Item:
 
 def head_of(panel: str) -> str:
     """Return the region above a panel's drawing: its title and its scale."""
-    return f"{panel} head"
+    return panel + HEAD
 
 
 def foot_of(panel: str) -> str:

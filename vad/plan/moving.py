@@ -2,7 +2,7 @@
 
 The two layouts show the same panels, so most items have a counterpart: marks with the same role,
 the same ink and the same form.  Such a mark moves straight, and grows or shrinks on its way.  What
-is in one layout only fades.
+is in one layout only fades, and so does the head of a panel: on its way it would cross another one.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from vad.plan.items import Item
+from vad.plan.items import HEAD, Item
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
 
 #: Until this share of a move fades what goes, and from there on appears what comes.
@@ -72,7 +72,8 @@ def _key(item: Item) -> object:
     """Return what an item has in common with its counterpart."""
     place = item.region.rpartition(":")[2]
     forms = tuple((mark.role, mark.row, type(mark.shape)) for mark in item.marks)
-    return place, item.stroke, item.level, item.since, item.until, item.words, forms
+    stays = item.marks if place.endswith(HEAD) else ()
+    return place, item.stroke, item.level, item.since, item.until, item.words, forms, stays
 
 
 def _faded(marks: Iterable[Mark], share: float) -> tuple[Mark, ...]:

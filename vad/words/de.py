@@ -230,8 +230,8 @@ PHRASES = {
         "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image similar": (
-        "{letter} aus {image} {link:des}: {triangle} ist ähnlich zu {corners}, mit gleichem "
-        "Umlaufsinn: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+        "{letter} aus {image} {link:des}, {triangle} ist gleichsinnig ähnlich zu {corners}: "
+        "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
         "Durch {point} unter ∠{corner} = {angle}°, {sense} von {side} aus, wie am Glied: {meeting} "
@@ -361,11 +361,10 @@ PHRASES = {
     ),
     "bodies line 14 velocity": "∥ *OD* durch {point}, denn sie dreht sich um *OD*",
     "bodies line 23 velocity": (
-        "∥ *OB* durch {point}, {arc}° von *OI*, denn um *OB* dreht sich die Koppel relativ zur "
-        "Kurbel"
+        "∥ *OB* durch {point}, {arc}° von *OI*, Achse der Koppel an der Kurbel"
     ),
     "bodies line 43 velocity": (
-        "∥ *OC* durch {point}, {arc}° von *OI*, denn um *OC* dreht sie sich relativ zur Schwinge"
+        "∥ *OC* durch {point}, {arc}° von *OI*, ihre Achse an der Schwinge"
     ),
     "bodies line 24 acceleration": "∥ *OI* durch {point}, für *α₄₂ₜ*",
     "bodies line 14 acceleration": "∥ *OD* durch {point}, für *α₄*",
@@ -537,13 +536,13 @@ PHRASES = {
     "hooke speeds": "Drehzahlen über einen Umlauf",
     "hooke shaft": "Welle {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* durch {point}, denn *ω₄₂* liegt in der Ebene des Kreuzes und in der der Wellen"
+        "∥ *OT* durch {point}, denn *ω₄₂* liegt in den Ebenen von Kreuz und Wellen"
     ),
-    "hooke line 14 velocity": "∥ Welle 4 durch {point}, denn um sie dreht sich Gabel 4",
+    "hooke line 14 velocity": "∥ Welle 4 durch {point}, die Achse der Gabel 4",
     "hooke line 23 velocity": (
-        "∥ *OP* durch {point}, denn um *OP* dreht sich das Kreuz relativ zu Gabel 2"
+        "∥ *OP* durch {point}, denn um *OP* dreht sich das Kreuz in Gabel 2"
     ),
-    "hooke line 43 velocity": "∥ *OQ* durch {point}, denn um *OQ* dreht es sich relativ zu Gabel 4",
+    "hooke line 43 velocity": "∥ *OQ* durch {point}, denn um *OQ* dreht es sich in Gabel 4",
     "hooke line 24 acceleration": "∥ *OT* durch {point}, für *α₄₂ₜ*",
     "hooke line 14 acceleration": "∥ Welle 4 durch {point}, für *α₄*",
     "hooke fold": (

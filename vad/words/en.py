@@ -238,8 +238,8 @@ PHRASES = {
         "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image similar": (
-        "{letter} by {image} of the {link}: {triangle} is similar to {corners}, lettered in the "
-        "same sense: {part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
+        "{letter} by {image} of the {link}: {triangle} is directly similar to {corners}: "
+        "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
         "Through {point} at ∠{corner} = {angle}°, {sense} from {side}, as on the link: {meeting} "
@@ -362,12 +362,9 @@ PHRASES = {
     ),
     "bodies line 14 velocity": "∥ *OD* through {point}, as it turns about *OD*",
     "bodies line 23 velocity": (
-        "∥ *OB* through {point}, {arc}° from *OI*, as the coupler turns about *OB* relative to "
-        "the crank"
+        "∥ *OB* through {point}, {arc}° from *OI*, the axis of the coupler on the crank"
     ),
-    "bodies line 43 velocity": (
-        "∥ *OC* through {point}, {arc}° from *OI*, as it turns about *OC* relative to the rocker"
-    ),
+    "bodies line 43 velocity": ("∥ *OC* through {point}, {arc}° from *OI*, its axis on the rocker"),
     "bodies line 24 acceleration": "∥ *OI* through {point}, for *α₄₂ₜ*",
     "bodies line 14 acceleration": "∥ *OD* through {point}, for *α₄*",
     "bodies line 23 acceleration": ("∥ *OB* through {point}, {arc}° from *OI*, for *α₃₂*"),
@@ -526,13 +523,11 @@ PHRASES = {
     "hooke speeds": "speeds over a turn",
     "hooke shaft": "shaft {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* through {point}, as *ω₄₂* lies in the plane of the cross and in that of the shafts"
+        "∥ *OT* through {point}, as *ω₄₂* lies in the planes of cross and shafts"
     ),
     "hooke line 14 velocity": "∥ shaft 4 through {point}, as yoke 4 turns about it",
-    "hooke line 23 velocity": (
-        "∥ *OP* through {point}, as the cross turns about *OP* relative to yoke 2"
-    ),
-    "hooke line 43 velocity": "∥ *OQ* through {point}, as it turns about *OQ* relative to yoke 4",
+    "hooke line 23 velocity": "∥ *OP* through {point}, as the cross turns about *OP* in yoke 2",
+    "hooke line 43 velocity": "∥ *OQ* through {point}, as it turns about *OQ* in yoke 4",
     "hooke line 24 acceleration": "∥ *OT* through {point}, for *α₄₂ₜ*",
     "hooke line 14 acceleration": "∥ shaft 4 through {point}, for *α₄*",
     "hooke fold": (

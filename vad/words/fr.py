@@ -238,7 +238,7 @@ PHRASES = {
         "× {size}/{length} = {own} {unit}{also}."
     ),
     "image similar": (
-        "{letter} par {image} {link:du} : {triangle} est semblable à {corners}, de même sens : "
+        "{letter} par {image} {link:du} : {triangle} est directement semblable à {corners} : "
         "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
@@ -356,18 +356,12 @@ PHRASES = {
         "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
         "aussi dans ce plan."
     ),
-    "bodies line 24 velocity": (
-        "∥ *OI* par {point}, car le balancier tourne autour de *OI* par rapport à la manivelle"
-    ),
-    "bodies line 14 velocity": "∥ *OD* par {point}, car il tourne autour de *OD*",
+    "bodies line 24 velocity": ("∥ *OI* par {point}, axe du balancier par rapport à la manivelle"),
+    "bodies line 14 velocity": "∥ *OD* par {point}, son axe par rapport au bâti",
     "bodies line 23 velocity": (
-        "∥ *OB* par {point}, à {arc}° de *OI*, car la bielle tourne autour de *OB* par rapport à "
-        "la manivelle"
+        "∥ *OB* par {point}, à {arc}° de *OI*, axe de la bielle sur la manivelle"
     ),
-    "bodies line 43 velocity": (
-        "∥ *OC* par {point}, à {arc}° de *OI*, car elle tourne autour de *OC* par rapport au "
-        "balancier"
-    ),
+    "bodies line 43 velocity": ("∥ *OC* par {point}, à {arc}° de *OI*, son axe sur le balancier"),
     "bodies line 24 acceleration": "∥ *OI* par {point}, pour *α₄₂ₜ*",
     "bodies line 14 acceleration": "∥ *OD* par {point}, pour *α₄*",
     "bodies line 23 acceleration": "∥ *OB* par {point}, à {arc}° de *OI*, pour *α₃₂*",
@@ -532,15 +526,11 @@ PHRASES = {
     "hooke speeds": "vitesses sur un tour",
     "hooke shaft": "l’arbre {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* par {point}, car *ω₄₂* est dans le plan du croisillon et dans celui des arbres"
+        "∥ *OT* par {point}, car *ω₄₂* est dans les plans du croisillon et des arbres"
     ),
-    "hooke line 14 velocity": "∥ l’arbre 4 par {point}, car la fourche 4 tourne autour de lui",
-    "hooke line 23 velocity": (
-        "∥ *OP* par {point}, car le croisillon tourne autour de *OP* par rapport à la fourche 2"
-    ),
-    "hooke line 43 velocity": (
-        "∥ *OQ* par {point}, car il tourne autour de *OQ* par rapport à la fourche 4"
-    ),
+    "hooke line 14 velocity": "∥ l’arbre 4 par {point}, axe de la fourche 4",
+    "hooke line 23 velocity": ("∥ *OP* par {point}, axe du croisillon dans la fourche 2"),
+    "hooke line 43 velocity": ("∥ *OQ* par {point}, son axe dans la fourche 4"),
     "hooke line 24 acceleration": "∥ *OT* par {point}, pour *α₄₂ₜ*",
     "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, pour *α₄*",
     "hooke fold": (

@@ -10,9 +10,16 @@ from vad.words import TextPiece, text_of
 
 # A number keeps its unit, and a sign what follows it.
 _WORD = r"(?<![=×+⟂∥])(?:(?<![0-9⁰¹²³⁴⁵⁶⁷⁸⁹]) | (?!(?:mm|cm|km|m|in|ft|yd|rad)\b))"
-#: Where lines may break, the best first: at last inside an equation, before a sign, and if it can
-#: be before one of equality.
-_BREAKS = (r"(?<=[:;]) ", r"(?<=[,:;]) ", rf"{_WORD}(?![=×+])", rf"{_WORD}(?![×+])", _WORD)
+#: Where lines may break, the best first: between sentences, at last inside an equation, before a
+#: sign, and if it can be before one of equality.
+_BREAKS = (
+    r"(?<=\.) ",
+    r"(?<=[:;]) ",
+    r"(?<=[,:;]) ",
+    rf"{_WORD}(?![=×+])",
+    rf"{_WORD}(?![×+])",
+    _WORD,
+)
 _TIE = "\N{NO-BREAK SPACE}"
 
 Pieces = tuple[TextPiece, ...]

@@ -42,6 +42,8 @@ from vad.words import TextPiece, text_of
 
 CAPTION_SIZE = 0.040
 LEAST_CAPTION_SIZE = 26.0 / 720.0
+#: Smaller sizes, of which the largest is taken that spares a caption a third line.
+SPARING_SIZES = (25.0 / 720.0, 24.0 / 720.0)
 COUNT = 0.032
 COUNT_ROOM = 0.095
 COUNT_GAP = 0.022
@@ -263,14 +265,20 @@ def _count_room(most: int) -> float:
 
 
 def _set(pieces: Pieces, room: float) -> tuple[list[Stretch], float]:
-    """Return a caption in lines, and its size: one line if it can be, two if need be."""
+    """Return a caption in lines, and its size: one line if it can be, two if need be.
+
+    One of two lines may be a little smaller than others; one that takes three all the same is not.
+    """
     advance = typeset(said(pieces)).advance
     size = min(CAPTION_SIZE, room / max(advance, 1e-9))
     size = CAPTION_SIZE if size < LEAST_CAPTION_SIZE else size
     lines = stretches(pieces, size, room * (1 + 1e-9))
-    if len(lines) > 2:
-        size = LEAST_CAPTION_SIZE
+    if len(lines) <= 2:
+        return lines, size
+    for size in (LEAST_CAPTION_SIZE, *SPARING_SIZES, LEAST_CAPTION_SIZE):
         lines = stretches(pieces, size, room)
+        if len(lines) <= 2:
+            break
     return lines, size
 
 

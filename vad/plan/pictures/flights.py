@@ -30,8 +30,8 @@ from vad.strokes.travel import Travel
 
 #: A figure that is more often as large as its polygon, or as small, is not on the same page.
 MOST = 1e3
-#: A vector that is shorter on the page does not fly: a pencil draws it.
-SHORTEST_FLIGHT = 0.004
+#: A vector that is shorter on the page does not fly, as nobody would see it: a pencil draws it.
+SHORTEST_FLIGHT = 0.010
 #: How far a copy lifts off the vector that it is made of, and how high it flies, of its way.
 LIFT, ARCH = 0.04, 0.08
 #: A copy that turns is at least so long.
