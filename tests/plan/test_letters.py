@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from dataclasses import replace
 
@@ -10,17 +11,23 @@ import pytest
 import vad
 from tests.plan.overlaps import planned
 from tests.plan.seen_letters import Fault, faults
+from tests.plan.sheets import slider_crank
 from tests.plan.test_overlaps import RAMS, turn
 from vad.files.examples import example_names, example_path
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER
+from vad.plan.labels.choices import PLACED
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import Placed, Wish, assigned, place
+from vad.plan.labels.placing import Placed, Wish, assigned, distance, near_places, place
 from vad.plan.lens import BAND, Lens
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Lettering
+from vad.plan.pictures.polygon import name_of
 from vad.plan.pictures.vectors import place_vectors
+from vad.plan.scale import Scale
+from vad.plan.sketch import Setting, Sketch
+from vad.strokes.sheet import Arrow, Stroke
 
 PAGE = Rect(0.0, 0.0, 1.0, 1.0)
 #: What is left in crowded panels, by the number of letters in one still at most.
@@ -95,44 +102,106 @@ def test_a_letter_takes_the_place_of_another_that_can_stand_elsewhere():
     assert assigned(near) == {0: second, 1: third, 2: first}
 
 
-def test_a_letter_between_two_dots_gets_a_leader():
-    """Only below both dots is there a place near by, and there it might name either."""
+def away(point: complex, ends: tuple[complex, complex]) -> float:
+    """Return how far a point is from a straight line between two others."""
+    start, end = ends
+    off = (point - start) / ((end - start) / abs(end - start))
+    return abs(off - min(max(off.real, 0.0), abs(end - start)))
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_letter_between_two_dots_gets_a_leader(turned: bool):
+    """The one place near by is a little nearer to its own dot, too far to tell whose it is."""
     page = Obstacles(PAGE)
-    at, rival = 0.5 + 0.5j, 0.53 + 0.5j
+    at, rival = (0.53 + 0.5j, 0.5 + 0.5j) if turned else (0.5 + 0.5j, 0.53 + 0.5j)
     page.box(Rect(0.35, 0.515, 0.65, 0.53))
-    page.box(Rect(0.35, 0.47, 0.49, 0.53))
-    wish = Wish(at, -1j, 0.02, 0.02, near=(0.024, 0.034), rivals=[rival])
+    page.box(Rect(0.35, 0.44, 0.47, 0.53))
+    page.box(Rect(0.56, 0.44, 0.65, 0.53))
+    wish = Wish(at, -1j, 0.02, 0.02, near=(0.024,), rivals=[rival])
+    near = near_places(page, wish)
+    assert near
+    assert all(distance(each.box, rival) < 1.4 * distance(each.box, at) for each in near)
     placed = place(page, wish)
     assert placed.leader
     start, end = placed.leader
     assert abs(start - at) < abs(start - rival)
-    across = ((rival - end) / (at - end)).imag * abs(at - end)
-    along = ((rival - end) / (at - end)).real
-    assert abs(across) > 9.0 * PIXEL or along > 1.0
+    assert abs(end - start) < 70.0 * PIXEL
+    assert away(rival, placed.leader) > 9.0 * PIXEL
 
 
-def test_a_leader_passes_no_other_dot():
-    """Straight out there is a dot: it leads past it on either side, though that is longer."""
-    page = Obstacles(PAGE)
-    at, rival = 0.5 + 0.5j, 0.5 + 0.56j
-    page.disc(rival, 0.008)
-    wish = Wish(at, 1j, 0.02, 0.02, near=(), rivals=[rival])
-    start, end = place(page, wish).leader or (0j, 1j)
-    way = (end - start) / abs(end - start)
-    off = (rival - start) / way
-    assert abs(off - min(max(off.real, 0.0), abs(end - start))) >= 9.0 * PIXEL
+@pytest.mark.parametrize("aside", [-7.5, -4.0, 0.0, 4.0, 7.5])
+def test_a_leader_passes_no_other_dot(aside: float):
+    """Straight out there is a dot, on the way or beside it: it leads past, though that is longer.
+
+    Boxes leave only the places beyond that dot.
+    """
+    page = Obstacles(Rect(0.35, 0.49, 0.65, 0.80))
+    at, rival = 0.5 + 0.5j, 0.5 + aside * PIXEL + 0.545j
+    page.box(Rect(0.35, 0.49, 0.475, 0.56))
+    page.box(Rect(0.525, 0.49, 0.65, 0.56))
+    page.disc(rival, 0.006)
+    placed = place(page, Wish(at, 1j, 0.02, 0.02, near=(), rivals=[rival]))
+    assert placed.leader
+    assert away(rival, placed.leader) >= 8.9 * PIXEL
+
+
+def test_a_leader_runs_away_from_a_dot_close_to_its_own():
+    """It cannot keep clear of that one, but need not lead through it."""
+    page = Obstacles(Rect(0.35, 0.49, 0.65, 0.80))
+    at, rival = 0.5 + 0.5j, 0.5 + 0.507j
+    placed = place(page, Wish(at, 1j, 0.02, 0.02, near=(), rivals=[rival]))
+    assert placed.leader
+    assert away(rival, placed.leader) >= 0.99 * abs(rival - at)
 
 
 def test_a_leader_meets_no_label_while_another_place_is_left():
-    """A wall of words stands before all places near by but a few."""
-    page = Obstacles(PAGE)
-    for low in range(20, 80, 2):
-        page.box(Rect(0.56, low / 100, 0.60, low / 100 + 0.02))
-        page.box(Rect(0.40, low / 100, 0.44, low / 100 + 0.02))
-    page.box(Rect(0.40, 0.56, 0.60, 0.60))
-    placed = place(page, Wish(0.5 + 0.52j, 1j, 0.10, 0.02, near=()))
+    """A low word stands before the places near by, and a stroke before all places."""
+    page = Obstacles(Rect(0.35, 0.49, 0.65, 0.80))
+    at, word = 0.5 + 0.5j, Rect(0.47, 0.535, 0.53, 0.54)
+    page.box(Rect(0.35, 0.49, 0.42, 0.57))
+    page.box(Rect(0.58, 0.49, 0.65, 0.57))
+    page.box(word)
+    page.line((0.35 + 0.525j, 0.65 + 0.525j), PIXEL)
+    placed = place(page, Wish(at, 1j, 0.02, 0.02, near=()))
     assert placed.leader and not placed.forced
-    assert placed.centre.imag < 0.56
+    assert word.clipped(*placed.leader) is None
+
+
+def named(start: complex, end: complex, *others: tuple[complex, complex]) -> tuple[str, Rect]:
+    """Return the name that a Coriolis vector has among other lines, and where it stands."""
+    sheet = slider_crank()
+    stroke = Stroke("known", "zb′", Arrow(start, end, "z", "b′"), "", "slider", "coriolis")
+    panel = replace(sheet.panel("acceleration"), strokes=(stroke,))
+    sketch = Sketch(Setting(sheet, panel, PAGE, {}), Scale(0j, 1.0), Obstacles(PAGE))
+    for line in (start, end), *others:
+        sketch.obstacles.line(line, PIXEL)
+    PLACED.vector(sketch, 0, name_of(stroke))
+    [tag] = sketch.tags
+    return tag.text, tag.box
+
+
+@pytest.mark.parametrize("degrees", range(0, 360, 45))
+def test_the_name_of_a_vector_stands_beside_its_middle(degrees: int):
+    way = cmath.rect(1.0, math.radians(degrees))
+    middle = 0.5 + 0.5j
+    name, box = named(middle - 0.2 * way, middle + 0.2 * way)
+    assert name == "2ωv"
+    off = (box.centre - middle) / way
+    assert abs(off.real) <= (box.width + box.height) / 2  # the box lies aside of its middle
+    assert distance(box, middle) < 20.0 * PIXEL
+
+
+@pytest.mark.parametrize("above", [False, True])
+def test_the_name_of_a_line_keeps_off_another_line(above: bool):
+    """On one side there is a place between both lines, on the other side no other line."""
+    side = 1 if above else -1
+    start, end = 0.3 + 0.5j, 0.7 + 0.5j
+    other = start + 0.048j * side, end + 0.048j * side
+    _, box = named(start, end, other)
+    at = box.centre.real
+    own, near = distance(box, at + 0.5j), distance(box, at + 0.5j + 0.048j * side)
+    assert own < 12.0 * PIXEL
+    assert near > 2.0 * own
 
 
 def test_boxes_cover_a_lens_and_little_else():

@@ -7,7 +7,6 @@ bisector, then in other directions, then farther off with a leader.
 from __future__ import annotations
 
 import cmath
-import itertools
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -47,6 +46,8 @@ BESIDE, SHORT = 16.0 * PIXEL, 70.0 * PIXEL
 #: A leader that passes another dot nearer than that may seem to end there; it counts as much as one
 #: that lies so far on strokes.
 PASSED, PASSING = 9.0 * PIXEL, 0.10
+#: Where each leader near by passes one, the others that are tried are no longer than this.
+DOUBTED = 120.0 * PIXEL
 #: A leader ends so far from the rim of its dot, and on it where another dot is that near.
 OFF, CLOSE_BY = 0.010, 0.035
 
@@ -56,7 +57,8 @@ class Placed:
     """Where a label's ink box goes; ``leader`` is a line to its dot where it stands far off.
 
     It is ``forced`` where no place was clear of everything, or each leader met another label; its
-    leader ``crosses`` a stroke where every one does.
+    leader ``crosses`` a stroke where every one does.  It is in ``doubt`` where it may seem to name
+    another dot: it stands between both, or its leader passes that one.
     """
 
     centre: complex
@@ -65,6 +67,7 @@ class Placed:
     leader: tuple[complex, complex] | None = None
     forced: bool = False
     crosses: bool = False
+    doubt: bool = False
 
     @property
     def box(self) -> Rect:
@@ -232,14 +235,14 @@ def _led_off(obstacles: Obstacles, wish: Wish, near: Placed | None) -> Placed:
     """Return a place with a leader, or one ``near`` that may name another if none is short."""
     if near and obstacles.has_room(near.centre, wish.wide, wish.high, CLEARANCE, APART):
         led = far_off(obstacles, wish, SHORT)
-        return led if is_short(led) else near
+        return led if is_short(led) else replace(near, doubt=True)
     return far_off(obstacles, wish)
 
 
 def is_short(placed: Placed) -> bool:
-    """Tell whether a label has a short leader that crosses nothing."""
+    """Tell whether a label has a short leader that crosses nothing and passes no dot."""
     ends = placed.leader
-    clear = not (placed.forced or placed.crosses)
+    clear = not (placed.forced or placed.crosses or placed.doubt)
     return ends is not None and abs(ends[0] - ends[1]) < SHORT and clear
 
 
@@ -298,64 +301,81 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
     """
     last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high, forced=True)
     through: Placed | None = None
-    for tight, centres in _far(obstacles.edge, wish):
+    least, best = math.inf, None
+    for tight, far in _far(obstacles.edge, wish):
+        if best and (tight or not best.doubt):
+            return best
         clear, apart = (0.5 * PIXEL, TIGHT) if tight else (CLEARANCE, APART)
-        tried, least, best = 0, math.inf, None
-        for some in _free_of(obstacles, wish, centres, clear, apart):
+        centres = [z for z in far if abs(z - wish.at) < DOUBTED] if best else far
+        tried, at_once = 0, len(centres) if best else _AT_ONCE
+        for some in _free_of(obstacles, wish, centres, clear, apart, at_once):
             led = [_led(wish, spot) for spot in some[~_strange(some, wish)].tolist()]
             if not led:
                 continue
-            starts, ends = np.array([each.leader or (wish.at, wish.at) for each in led]).T
-            shortest = float(np.abs(ends - starts).min())
-            if shortest > longest:
+            ends = np.array([each.leader or (wish.at, wish.at) for each in led])
+            long = np.abs(ends[:, 1] - ends[:, 0])
+            if long.min() > longest:
                 return last
-            if LENGTH_COUNTS * shortest > least + SPARED:
+            if LENGTH_COUNTS * long.min() > least + SPARED:
                 break
-            clear_of = obstacles.clear_of_labels(np.stack((starts, ends), axis=1), 1.5 * PIXEL)
+            passed = _passed(wish, *ends.T)
+            costs = LENGTH_COUNTS * long + PASSING * passed
+            kept = costs < least + np.where(passed, 0.0, SPARED)
+            clear_of = obstacles.clear_of_labels(ends[kept], 1.5 * PIXEL)
             if not (clear_of.all() or through):
-                through = replace(led[clear_of.argmin()], forced=True)
-            starts, ends = starts[clear_of], ends[clear_of]
-            costs = obstacles.all_covered(starts, ends) + PASSING * _passed(wish, starts, ends)
-            bare = itertools.compress(led, clear_of)
-            for spot, cost in zip(bare, costs.tolist(), strict=True):
-                if not spot.leader or not cost:
+                through = replace(led[np.flatnonzero(kept)[clear_of.argmin()]], forced=True)
+            kept[kept] = clear_of
+            covered = obstacles.all_covered(*ends[kept].T)
+            tried += len(covered)
+            for number, over in zip(np.flatnonzero(kept).tolist(), covered.tolist(), strict=True):
+                spot = led[number]
+                if not spot.leader or not (over or passed[number]):
                     return replace(spot, forced=tight)
-                tried, long = tried + 1, abs(spot.leader[1] - spot.leader[0])
-                if cost + LENGTH_COUNTS * long < least:
-                    least = cost + LENGTH_COUNTS * long
-                    best = replace(spot, forced=tight, crosses=True)
+                if costs[number] + over < least:
+                    least = costs[number] + over
+                    doubt = bool(passed[number])
+                    best = replace(spot, forced=tight, crosses=over > 0.0, doubt=doubt)
             if tried >= MOST_LEADERS:
                 break
-        if best:
-            return best
+    if best:
+        return best
     if through and not wish.near:
         return replace(through, leader=None)
     return through or last
 
 
 def _free_of(
-    obstacles: Obstacles, wish: Wish, centres: Sequence[complex], clear: float, apart: complex
+    obstacles: Obstacles,
+    wish: Wish,
+    centres: Sequence[complex],
+    clear: float,
+    apart: complex,
+    at_once: int,
 ) -> Iterator[Complexes]:
-    """Yield those of some places at which a label meets nothing, a few at a time."""
-    first, count = 0, _AT_ONCE  # one of the nearest is mostly clear
+    """Yield those of some places at which a label meets nothing, some ``at_once``."""
+    first, count = 0, at_once  # one of the nearest is mostly clear
     while first < len(centres):  # each round asks of the next ones, and of more
         some = np.array(centres[first : first + count])
         free = obstacles.free(some, wish.wide, wish.high, clear, apart)
-        parts = range(0, len(some), _AT_ONCE)
-        kept = (some[i : i + _AT_ONCE][free[i : i + _AT_ONCE]] for i in parts)
+        parts = range(0, len(some), at_once)
+        kept = (some[i : i + at_once][free[i : i + at_once]] for i in parts)
         yield from (each for each in kept if each.size)
         first, count = first + count, 4 * count
 
 
 def _passed(wish: Wish, starts: Complexes, ends: Complexes) -> Reals:
-    """Return how many other dots each leader passes so near that it may seem to end there."""
+    """Return how many other dots each leader passes so near that it may seem to end there.
+
+    One that it runs through counts twice.  What counts of a dot close to its own is how much nearer
+    than that the leader comes.
+    """
+    others = np.array([z for z in wish.rivals if abs(z - wish.at) > wish.radius], np.complex128)
+    near = np.minimum(PASSED, np.abs(others - wish.at))[:, None]
     ways = ends - starts
     long = np.maximum(np.abs(ways), 1e-9)
-    ways = ways / long
-    others = [each for each in wish.rivals if abs(each - wish.at) > wish.radius]
-    off = (np.array(others, dtype=np.complex128)[:, None] - starts) * ways.conj()
-    met = np.abs(off - np.clip(off.real, 0.0, long)) < PASSED
-    count: Reals = met.sum(axis=0).astype(np.float64)
+    off = (others[:, None] - starts) * (ways / long).conj()
+    away = np.abs(off - np.clip(off.real, 0.0, long))
+    count: Reals = np.where(away < 0.99 * near, 2.0 - away / near, 0.0).sum(axis=0)
     return count
 
 

@@ -240,10 +240,11 @@ def label_vertices(
 ) -> list[tuple[int, Placed]]:
     """Place the labels of some vertices ``among`` others, each once for all strokes.
 
-    They have one size, the largest at which each has a clear place and no leader crosses a stroke,
-    and show ``until`` a beat.  Returned is where each stands, with its number among ``vertices``.
+    They have one size, the largest at which each has a clear place, names no other dot, and has no
+    leader across a stroke, and show ``until`` a beat.  Returned is where each stands, with its
+    number among ``vertices``.
     """
-    tried: list[tuple[tuple[int, int], float, list[tuple[int, Placed]], Obstacles]] = []
+    tried: list[tuple[tuple[int, ...], float, list[tuple[int, Placed]], Obstacles]] = []
     all_ = among or vertices
     for size in LETTERS if len(all_) <= CROWD else LETTERS[-1:]:
         wishes = [
@@ -255,7 +256,8 @@ def label_vertices(
         ]
         crowd = sketch.obstacles.copy()
         found = list(place_all(crowd, wishes))
-        faults = sum(p.forced for _, p in found), sum(p.crosses for _, p in found)
+        each = [(placed.forced, placed.doubt, placed.crosses) for _, placed in found]
+        faults = tuple(map(sum, zip(*each, strict=True)))
         tried.append((faults, size, found, crowd))
         if not any(faults):
             break
