@@ -7,7 +7,8 @@ others on the machine disturb less, and how many questions a drag asks: it shoul
 
 What a move takes contains what the browser takes to be driven from outside, more than a millisecond
 on an empty page, and the frames in which the picture glides on after it.  So the time of a single
-frame is stated, too: the page makes one move in each of many frames by itself.
+frame is stated, too: the page makes one move in each of many frames by itself.  Machines differ by
+a factor of two; beside it stands what a frame takes in which one circle moves on an empty page.
 
 A picture can be seen at the next frame of the display at the earliest, and a pointer moves at any
 time between two frames.  So the moves are spread evenly over the time of a frame.  Otherwise each
@@ -67,10 +68,23 @@ _FRAMES = """([x, y, count]) => new Promise((done) => {
 })"""
 
 
+#: Moves a circle in each of so many frames.
+_CIRCLE = """(count) => new Promise((done) => {
+  const circle = document.querySelector("circle");
+  const step = () => {
+    if (count) requestAnimationFrame(step);
+    circle.setAttribute("cx", count % 7);
+    if (!count--) done();
+  };
+  requestAnimationFrame(step);
+})"""
+
+
 def main() -> None:
     """Measure and write ``results/hand.csv``."""
     rows = []
     with launched() as browser:
+        least = three(empty(browser))
         for name in vad.MECHANISMS:
             times, worked, framed, asked = measured(browser, name)
             load = os.getloadavg()[0] / (os.cpu_count() or 1)
@@ -80,14 +94,27 @@ def main() -> None:
                     name,
                     len(times),
                     *map(three, (median, most, worked, framed)),
+                    least,
                     asked,
                     f"{load:.1f}",
                 ]
             )
             print(*rows[-1], flush=True)
     head = ["mechanism", "frames", "median ms", "p95 ms", "page cpu ms", "frame cpu ms"]
-    head.append("questions")
-    write_csv(RESULTS / "hand.csv", [*head, "processes per core"], rows, ("playwright",))
+    head += ["one circle cpu ms", "questions", "processes per core"]
+    write_csv(RESULTS / "hand.csv", head, rows, ("playwright",))
+
+
+def empty(browser: object) -> float:
+    """Return the milliseconds of a frame in which one circle moves on an empty page."""
+    with opened(browser) as page:
+        page.set_content("<svg><circle r=6 cy=50></svg>")
+        metrics = page.context.new_cdp_session(page)
+        metrics.send("Performance.enable", {"timeDomain": "threadTicks"})
+        page.evaluate(_CIRCLE, MOVES)
+        begun = painting(metrics)
+        page.evaluate(_CIRCLE, 2 * MOVES)
+        return 1e3 * (painting(metrics) - begun) / (2 * MOVES)
 
 
 def measured(browser: object, name: str) -> tuple[np.ndarray, float, float, int]:
