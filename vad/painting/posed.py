@@ -102,11 +102,7 @@ def posed(
     left = {} if blank is None else blank_panels(thing, blank)
     board = plan(thing, form, look.key)
     if left:
-        try:
-            board = problem(board, left, look.key, own, small=False)
-        except UsageError:  # the page of the key has no room for the task
-            board = plan(thing, form, look.key, tasked=True)
-            board = problem(board, left, look.key, own)
+        board = problem(board, left, look.key, own)
     strokes = {**{half.name: half.strokes for half in thing.halves}, **left}
     return Posed(board, Moment(board.finished), look, drawn_so_far(thing, strokes))
 

@@ -145,7 +145,6 @@ def plan(
     scales: Mapping[str, Scale] = MappingProxyType({}),
     words: bool = True,
     travels: Mapping[str, Travel] | None = None,
-    tasked: bool = False,
 ) -> Plan:
     """Return the plan of a sheet.
 
@@ -167,12 +166,10 @@ def plan(
         False if the words around the pictures are written elsewhere: in a page of HTML.
     travels
         What flies from panel to panel in a film; None where nothing does.
-    tasked
-        Whether a problem is made of it, whose task stands where its equations stand.
     """
     if lines is None:
         lines = caption_lines(sheet, form.width - 2 * MARGIN) if lesson else 0
-    page, feet = arrange(sheet, form, lines, tasked)
+    page, feet = arrange(sheet, form, lines)
     sketches: dict[str, Sketch] = {}
     for panel in sheet.panels:
         sketches |= column(sheet, panel, page.panels[panel.name].drawing, form, scales)
@@ -234,9 +231,7 @@ def pictures(
     yield from turned_polygons(sketches, flights=travels is not None)
 
 
-def arrange(
-    sheet: Sheet, form: Format, caption_lines: int, at_feet: bool = False
-) -> tuple[Page, dict[str, Foot]]:
+def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[str, Foot]]:
     """Return the page of a sheet, and the equations at the feet of its panels.
 
     On paper there is room below them for what is measured.
@@ -244,7 +239,7 @@ def arrange(
     names = [panel.name for panel in sheet.panels]
     contents = {panel.name: _content(panel, bool(form.centimetre)) for panel in sheet.panels}
     high = heights(sheet.rows, names)
-    page = lay_out(form, contents, len(sheet.rows), caption_lines, high, at_feet)
+    page = lay_out(form, contents, len(sheet.rows), caption_lines, high)
     told, feet = page.told is not Told.NOWHERE, {}
     for panel in sheet.panels:
         place = page.panels[panel.name]

@@ -178,7 +178,6 @@ def lay_out(
     rows: int,
     caption_lines: int,
     table: Table = SOME_TABLE,
-    at_feet: bool = False,
 ) -> Page:
     """Return the page for some panels.
 
@@ -187,7 +186,7 @@ def lay_out(
     at the foot of its first columns, where in a still all equations may stand, too.  There no
     picture may be flat, all have to be large enough, and then as large as can be: the smallest one,
     or on a narrow page their harmonic mean.  A still on a narrow screen leaves out the equations if
-    that makes the smallest larger, unless they have to stand ``at_feet`` of their panels.
+    that makes the smallest larger.
 
     Raises
     ------
@@ -211,7 +210,7 @@ def lay_out(
         upright = form.height > form.width or not any(each.views for each in contents.values())
         grids = [grid(across) for across in range(1, len(contents))] if upright else []
     told, bare = [way(Told.FEET) for way in columns + grids], list[Page]()
-    if form.narrow and not (form.centimetre or caption_lines or at_feet):
+    if form.narrow and not (form.centimetre or caption_lines):
         movable = all(content.lines(form.width, False) == 0 for content in contents.values())
         together = [way(Told.TOGETHER) for way in grids if movable]
         told += [page for page in together if _is_level(page)]

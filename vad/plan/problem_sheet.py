@@ -62,9 +62,7 @@ def _is_given(stroke: Stroke) -> bool:
     return stroke.kind in ("pole", "fixed") or stroke.part in (POLE, CIRCLE)
 
 
-def problem(
-    key: Plan, blank: Blank, line: float, task: str | None = "", small: bool = True
-) -> Plan:
+def problem(key: Plan, blank: Blank, line: float, task: str | None = "") -> Plan:
     """Return the plan of a problem.
 
     Parameters
@@ -78,8 +76,6 @@ def problem(
     task
         The task in words; empty for one that the sheet words itself, None for no task and no lines
         for a name.
-    small
-        Whether a task that the sheet words itself may be in very small type.
 
     Raises
     ------
@@ -108,7 +104,7 @@ def problem(
                 items.append(Item("", RESULTS, Level.LABEL, tuple(chain(*marks))))
     if task is None:
         return replace(key, items=tuple(items))
-    items += upon_problem(key, items, blank, task, small)
+    items += upon_problem(key, items, blank, task)
     regions = {**key.regions, TASK: Rect(0.0, 0.0, key.page.width, key.page.height)}
     return replace(key, items=tuple(in_painting_order(items, regions)), regions=regions)
 

@@ -33,6 +33,7 @@ NAME_GAP = 0.0125
 KEY_RISE = 0.0068
 GIVEN_SIZE = 0.028
 DROP = 0.006  # of a line to write on, below the baseline
+LEAST_NUMBER = 2.0  # the room of a number behind its symbol, in type sizes: four digits
 
 #: Round arrows behind the numbers of rates.
 ANTICLOCKWISE = "\N{ANTICLOCKWISE OPEN CIRCLE ARROW}"
@@ -143,8 +144,9 @@ class Quarter:
             number = _right(value, complex(end, baseline), size, role)
             left, symbol = self._left(panel), []
             if depth:
-                left = right - width(value, size)
                 sign = dressed(cell, new, _sign(cell))
+                most = right - self._left(panel) - width(sign, size)
+                left = right - max(width(value, size), min(LEAST_NUMBER * size, most))
                 symbol.append(_right(sign, complex(left, baseline), size, role))
             found.append(Entry(tuple(symbol), number, left, right))
         return found
