@@ -153,6 +153,9 @@ def test_a_task_and_a_name_stand_where_the_key_is_free(name: str, page: str, lan
     whole = Rect(0.0, 0.0, problem.board.form.width, problem.board.form.height)
     others = [mark for mark in shown(problem) if mark not in own]
     asked = [problem.board.page.panels[panel].drawing for panel in ASKED]
+    assert (
+        min(whole.top - box(m).top for m in own) > 0.008 and min(box(m).bottom for m in own) > 0.01
+    )
     for mark in own:
         place = box(mark)
         assert whole.left <= place.left and place.right <= whole.right
@@ -163,6 +166,16 @@ def test_a_task_and_a_name_stand_where_the_key_is_free(name: str, page: str, lan
         assert all(apart(box(mark), box(other)) for other in own[:number])
     assert say("working") in texts or "paper" not in look
     assert not shown(posed(sheet, **look), TASK)
+
+
+@pytest.mark.parametrize("name", ["pin-on-rocker", "beam-engine"])
+def test_a_title_as_wide_as_the_page_leaves_lines_for_a_name(name: str) -> None:
+    sheet = vad.draw(vad.solve(vad.load(example_path(name))()), language="de")
+    problem = posed(sheet, size=(960, 720), blank=ASKED)
+    own, others = shown(problem, TASK), shown(problem)
+    assert sum(mark.role == "writing line" for mark in own) == 2
+    others = [mark for mark in others if mark not in own]
+    assert not any(on(box(mark), other) for mark in own for other in others)
 
 
 def test_a_task_says_what_is_given_drawn_and_found() -> None:

@@ -14,9 +14,9 @@ from vad.files.examples import example_path
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.items import TITLE
-from vad.plan.layout import TOP_RULE
+from vad.plan.layout import MARGIN, TOP_RULE
 from vad.plan.lettering.glyphs import width
-from vad.plan.page.heads import PAGE_TITLE, READABLE, SMALLEST_PARAMETERS
+from vad.plan.page.heads import PAGE_TITLE, PAGE_TITLE_ABOVE, READABLE
 
 OWN = {"title": "Exercise 4", "subtitle": "Theory of Machines"}
 MOTION = vad.solve(vad.SliderCrank())
@@ -69,8 +69,12 @@ def test_a_long_title_becomes_smaller_before_the_parameters_beside_it_do():
 def test_the_longest_titles_have_room_at_four_to_three(name, language):
     sheet = vad.draw(vad.solve(vad.load(example_path(name))()), language=language)
     title, *given = titles(sheet, (960, 720)).values()
-    assert title.size >= PAGE_TITLE[1]
-    assert min(line.size for line in given) >= SMALLEST_PARAMETERS
+    assert title.size >= PAGE_TITLE_ABOVE[1]
+    assert min(line.size for line in given) > 0.02
+    for line in given:
+        beside = line.at.real > title.at.real + width(title.runs, title.size)
+        assert beside or title.at.imag - line.at.imag > line.size
+        assert line.at.real + width(line.runs, line.size) <= 960 / 720 - MARGIN + 1e-9
 
 
 def test_a_title_without_a_subtitle_stands_where_the_name_stood():

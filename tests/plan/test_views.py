@@ -347,3 +347,14 @@ def test_in_a_lesson_views_are_large_while_they_are_drawn():
     # The chapters at the foot of the stage take a tenth of the height from it.
     assert stage.scene(0).sketches["position"].scale.factor > 1.15 * usual
     assert caption_lines(sheet, 1.6) >= 1
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
+def test_what_holds_for_both_polygons_is_said_once(size: tuple[int, int]) -> None:
+    sheet = vad.draw(vad.solve(vad.RSSR()))
+    lasting = [item for item in planned(sheet, size).items if item.region.endswith("foot")]
+    marks = [mark for item in lasting for mark in item.marks if mark.role == "notes"]
+    said = " ".join("".join(run.text for run in mark.shape.runs) for mark in marks)
+    assert said.startswith("drawn in the view") and said.count("drawn") == 1
+    symbols = [cell.symbol for row in sheet.rows for cell in row.cells.get("velocity", ())]
+    assert len(set(symbols)) == len(symbols)

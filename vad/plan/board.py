@@ -8,7 +8,7 @@ several panels is played on a stage (`vad.plan.stage`).
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Protocol
 
@@ -236,15 +236,23 @@ def arrange(sheet: Sheet, form: Format, caption_lines: int) -> tuple[Page, dict[
 
     On paper there is room below them for what is measured.
     """
-    names = [panel.name for panel in sheet.panels]
-    contents = {panel.name: _content(panel, bool(form.centimetre)) for panel in sheet.panels}
+    names, panels = [panel.name for panel in sheet.panels], list(_remarked_once(sheet.panels))
+    contents = {panel.name: _content(panel, bool(form.centimetre)) for panel in panels}
     high = heights(sheet.rows, names)
     page = lay_out(form, contents, len(sheet.rows), caption_lines, high)
     told, feet = page.told is not Told.NOWHERE, {}
-    for panel in sheet.panels:
+    for panel in panels:
         place = page.panels[panel.name]
         feet[panel.name] = compose(panel, (place.foot or place.drawing).width, told)
     return page, feet
+
+
+def _remarked_once(panels: Iterable[Panel]) -> Iterator[Panel]:
+    """Yield panels without a remark that the one before has, too."""
+    before = ""
+    for panel in panels:
+        yield replace(panel, remark="") if panel.remark == before else panel
+        before = panel.remark
 
 
 def _content(panel: Panel, on_paper: bool) -> Content:

@@ -148,8 +148,8 @@ def _without_answer(item: Item, key: Plan, blank: Blank, answers: Collection[str
     """
     if item.region in map(head_of, blank):
         return item if item.until == FOREVER else None
-    if item.region in map(foot_of, blank):
-        return None
+    if item.region in map(foot_of, blank):  # a remark is no answer
+        return item if all(mark.role == "notes" for mark in item.marks) else None
     if item.region not in blank:
         return None if item.stroke in answers else item
     for name, strokes in blank.items():

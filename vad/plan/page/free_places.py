@@ -40,17 +40,15 @@ def bands(key: Plan, kept: Sequence[Item], blank: Collection[str]) -> list[Rect]
     names = [name for name in page.panels if name in blank]
     drawings = [page.panels[name].drawing for name in names]
     first = list(page.panels).index(names[0])
+    lows = [page.panels[name].region.bottom for name in names]
+    found += [
+        Rect(each.left, low, each.right, each.bottom)
+        for each, low in zip(drawings, lows, strict=True)
+    ]
     if page.columns and names == list(page.panels)[first : first + len(names)]:
-        low = max(page.panels[name].region.bottom for name in names)
-        low = low if page.results else page.hairline + DROP
+        low = max(lows) if page.results else page.hairline + DROP
         top = min(drawing.bottom for drawing in drawings)
         found.append(Rect(drawings[0].left, low, drawings[-1].right, top))
-    else:
-        lows = [page.panels[name].region.bottom for name in names]
-        found += [
-            Rect(each.left, low, each.right, each.bottom)
-            for each, low in zip(drawings, lows, strict=True)
-        ]
     feet = [foot for name in names if (foot := page.panels[name].foot)]
     if feet:  # where the equations of the key stand together
         low, top = min(foot.bottom for foot in feet), max(foot.top for foot in feet)
@@ -59,7 +57,8 @@ def bands(key: Plan, kept: Sequence[Item], blank: Collection[str]) -> list[Rect]
         found += _beside_drawing(page.panels[name].drawing, [i for i in kept if i.region == name])
     boxes = [box_of(mark) for each in kept for mark in each.marks]
     free = [each for each in found if each.height > 0 and not any(meet(each, b) for b in boxes)]
-    return sorted(free, key=lambda each: (-each.width * each.height, each.left))
+    free.sort(key=lambda each: (-each.width * each.height, each.left))
+    return [each for n, each in enumerate(free) if not any(meet(each, f) for f in free[:n])]
 
 
 def gaps(key: Plan, kept: Sequence[Item], blank: Collection[str]) -> Iterator[Rect]:

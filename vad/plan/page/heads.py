@@ -97,7 +97,8 @@ def _head(panel: Panel, place: PanelPlace, size: float) -> list[Mark]:
 def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
     """Return the title and the parameters, which take two or three lines where one has no room.
 
-    The title becomes smaller before they do.  A subtitle stands below it, and it moves up for that.
+    The title becomes smaller before they do.  A subtitle stands below it, and it moves up for that;
+    so it does for parameters that have no room beside it in readable type.
 
     Raises
     ------
@@ -129,6 +130,9 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
     most, usual = room - wide * SMALLEST_PARAMETERS, min(usual, room - wide * READABLE)
     named = [_named(what, runs, at, sizes, usual, most) for what, runs, sizes, at in lines]
     size = min(largest, (room - max(width(each.runs, each.size) for each in named)) / (wide or 1.0))
+    beneath = min(LEAST_PARAMETERS, (page.right - page.left) / (_widest(one) or 1.0))
+    if size < min(beneath, 0.99 * READABLE) and not sheet.subtitle:
+        return _title_above(page, lines[0][1], _listed(one[0]), beneath)
     *below, above = named
     marks = [Mark(above, "words"), *(Mark(each, "notes") for each in below)]
     for depth, row in enumerate(reversed(rows)):
@@ -136,6 +140,14 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
         at = complex(page.right - width(runs, size), low + depth * 1.25 * size)
         marks.append(Mark(Lettering(runs, at, size), "notes"))
     return marks
+
+
+def _title_above(page: Page, title: Runs, listed: Runs, size: float) -> list[Mark]:
+    """Return a title with its parameters of a size in a line below it."""
+    low = complex(page.left, page.title - SUBTITLE_DROP)
+    large = fitted(title, *PAGE_TITLE_ABOVE, page.right - page.left)
+    above = Lettering(title, low + 1j * SUBTITLE_PITCH, large)
+    return [Mark(above, "words"), Mark(Lettering(listed, low, size), "notes")]
 
 
 def _in_lines(items: Parameters, count: int) -> list[Parameters]:

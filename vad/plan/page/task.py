@@ -44,6 +44,7 @@ NAME_APART = 0.004  # from anything else
 ABOVE = 0.018  # from the parameters to a line above them
 #: From the edge of the page to capital letters at its top, and how high these are.
 EDGE, CAPITAL = 0.013, 0.67
+FOOT = 0.021  # the baseline of the lines for name and class at the foot of the page
 #: How high a free place is at least that is offered for calculations.
 WORKING = 0.10
 #: Places whose areas differ by less are alike for calculations: the task then stands above.
@@ -89,33 +90,38 @@ def _free_of(marks: Sequence[Mark], places: Iterable[Rect]) -> list[Rect]:
 def _names(key: Plan, kept: Sequence[Item], places: list[Rect]) -> tuple[list[Mark], list[Rect]]:
     """Return the lines for name and class, and what they leave of the free places.
 
-    They stand beside the title, above the parameters, above the title, or in the first of the free
-    places that is wide enough.
+    They stand beside the title, above the parameters, above the title, in the first of the free
+    places that is wide enough, or at the foot of the page.
     """
-    page = key.page
-    boxes = [box for item in kept if item.region == TITLE for box in map(box_of, item.marks)]
-    titles = [box for box in boxes if box.left < page.left + CLEAR]
+    page, marks = key.page, [m for item in kept if item.region == TITLE for m in item.marks]
+    boxes = list(map(box_of, marks))
     others = [box for box in boxes if box.left >= page.left + CLEAR]
-    title = max(box.right for box in titles) + 2 * BETWEEN
+    title, name = max(zip(boxes, marks, strict=True), key=lambda each: each[0].top - each[0].left)
+    assert isinstance(name.shape, Lettering)
+    start = title.right + 2 * BETWEEN
     end = min((box.left for box in others), default=page.right + 2 * BETWEEN) - 2 * BETWEEN
     high = max((box.top for box in others), default=page.title) + ABOVE
     top = page.height - EDGE - CAPITAL * NAME_SIZE
     for left, right, y in (
-        (title, end, page.title),
-        (title, page.right, min(high, top)),
+        (start, end, name.shape.at.imag),
+        (start, page.right, min(high, top)),
         (page.left, end + BETWEEN, top),
     ):
         found = _lines(key, left, right, y)
-        if found and not any(
-            meet(box_of(mark), box.inside(-NAME_APART)) for mark in found for box in boxes
-        ):
+        if found and not _on(found, boxes):
             return found, places
     for number, place in enumerate(places):
         y = place.top - 1.5 * NAME_SIZE
         if (found := _lines(key, place.left, place.right, y)) and y - CLEAR > place.bottom:
             rest = Rect(place.left, place.bottom, place.right, y - CLEAR)
             return found, [*places[:number], rest, *places[number + 1 :]]
-    return [], places
+    return _lines(key, page.left, page.right, FOOT), places
+
+
+def _on(marks: Sequence[Mark], boxes: Sequence[Rect]) -> bool:
+    """Tell whether marks come near to one of some boxes."""
+    near = [box.inside(-NAME_APART) for box in boxes]
+    return any(meet(box_of(mark), box) for mark in marks for box in near)
 
 
 def _lines(key: Plan, left: float, right: float, y: float) -> list[Mark]:
