@@ -98,6 +98,20 @@ def test_a_blank_panel_holds_its_pole_and_its_scale(name: str, page: str) -> Non
     assert shown(problem, "position") == shown(key, "position", answers=False)
 
 
+def test_the_letter_of_a_pole_in_an_empty_panel_stands_beside_it() -> None:
+    sheet = vad.draw(vad.solve(vad.load(example_path("beam-engine"))()))
+    problem, key = (posed(sheet, size=(960, 720), **more) for more in ({"blank": ASKED}, {}))
+    for panel in ASKED:
+        assert [mark.role for mark in shown(key, panel)].count("leader") > 0
+        dot, letter = shown(problem, panel)
+        assert (dot.role, letter.role) == ("dot", "letter")
+        pole, place = box(dot), box(letter)
+        assert apart(pole, place) and not apart(pole.inside(-0.01), place)
+        drawing = problem.board.page.panels[panel].drawing
+        assert drawing.holds(complex(place.left, place.bottom))
+        assert drawing.holds(complex(place.right, place.top))
+
+
 @pytest.mark.parametrize(("name", "page"), CASES)
 def test_what_is_asked_has_a_line_to_be_written_on(name: str, page: str) -> None:
     problem, key = pair(name, page)

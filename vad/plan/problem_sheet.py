@@ -1,18 +1,20 @@
 """The problem sheet: a sheet on which some panels are left to be drawn, and their results measured.
 
 The plan of the whole sheet is the key; it becomes a plan of the same page without the answers.
-What stands on both stands at the same place.
+What stands on both stands at the same place, but for the letter of a pole: in an empty panel it
+stands close to it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 
 from vad import gate
 from vad.errors import one_of
-from vad.plan.board import Plan
+from vad.plan.board import Plan, reach
 from vad.plan.geometry import Rect
 from vad.plan.items import (
     FOREVER,
@@ -24,6 +26,7 @@ from vad.plan.items import (
     head_of,
     in_painting_order,
 )
+from vad.plan.marks import Mark, Polyline
 from vad.plan.page.table import table
 from vad.plan.page.task import upon_problem
 from vad.plan.pictures.senses import senses_of
@@ -34,6 +37,8 @@ from vad.strokes.telling import BEFORE_INERTIA
 
 #: The panel of the force polygons.
 FORCES = "force"
+#: From a pole to the letter beside it.
+BESIDE_POLE = 0.009
 #: The circle of bodies, on which a student draws what is known and what is found.
 CIRCLE = StrokePart("bodies", "circle")
 #: What is left to be drawn: the panels by their names, each with the strokes that it shows.
@@ -92,6 +97,7 @@ def problem(key: Plan, blank: Blank, line: float, task: str | None = "") -> Plan
         if (each.region, each.stroke) not in lost
         if (shown := _without_answer(each, key, blank, answers))
     ]
+    items = list(_beside_poles(items, key, blank))
     cells = table(key.sheet, key.page, line, turns=key.turns).cells
     for name in key.page.panels:
         for index, row in enumerate(key.sheet.rows):
@@ -163,3 +169,37 @@ def _without_answer(item: Item, key: Plan, blank: Blank, answers: Collection[str
             if own and stays and item.since <= since < item.until:
                 return replace(item, since=0, until=FOREVER)  # without letters that come to it
     return None
+
+
+def _beside_poles(items: Sequence[Item], key: Plan, blank: Blank) -> Iterator[Item]:
+    """Yield items; in an empty panel a letter needs no leader, and stands close to its pole."""
+    leaders = {
+        (each.region, each.stroke): mark.shape
+        for each in items
+        for mark in each.marks
+        if each.region in blank and mark.role == "leader"
+    }
+    for item in items:
+        leader = leaders.get((item.region, item.stroke))
+        rest = tuple(mark for mark in item.marks if mark.role != "leader")
+        letters = [mark for mark in rest if mark.role == "letter"]
+        if isinstance(leader, Polyline) and letters:
+            room = key.sketches[item.region].setting.room
+            rest = tuple(_close(letters, leader.pieces[0], room))
+        if leader is None or rest:
+            yield item if leader is None else replace(item, marks=rest)
+
+
+def _close(letters: list[Mark], leader: Sequence[complex], room: Rect) -> Iterator[Mark]:
+    """Yield letters beside the dot to which their leader runs, on its side of it."""
+    box = reach([Item("", "", Level.LABEL, tuple(letters))])
+    pole = max(leader, key=lambda end: abs(end - box.centre))
+    way = box.centre - pole
+    across, up = box.width / 2 + BESIDE_POLE, box.height / 2 + BESIDE_POLE
+    if not room.left < pole.real + math.copysign(2 * across, way.real) < room.right:
+        across = -across
+    if not room.bottom < pole.imag + math.copysign(2 * up, way.imag) < room.top:
+        up = -up
+    shift = complex(math.copysign(1.0, way.real) * across, math.copysign(1.0, way.imag) * up) - way
+    for mark in letters:
+        yield replace(mark, shape=mark.shape.mapped(1.0, shift))
