@@ -358,3 +358,15 @@ def test_what_holds_for_both_polygons_is_said_once(size: tuple[int, int]) -> Non
     assert said.startswith("drawn in the view") and said.count("drawn") == 1
     symbols = [cell.symbol for row in sheet.rows for cell in row.cells.get("velocity", ())]
     assert len(set(symbols)) == len(symbols)
+
+
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+def test_rows_that_need_much_room_keep_their_words_at_four_to_three(language: str) -> None:
+    sheet = vad.draw(vad.solve(vad.SpatialFourBar()), language=language)
+    items = [item for item in planned(sheet, (960, 720)).items if item.region == "results"]
+    shapes = [mark.shape for item in items for mark in item.marks]
+    texts = [
+        "".join(run.text for run in shape.runs) for shape in shapes if isinstance(shape, Lettering)
+    ]
+    for row in sheet.rows:
+        assert any(text.startswith(f"{row.title} {row.letters}") for text in texts)

@@ -25,7 +25,7 @@ GROUP_GAP = 0.0755
 COLUMN_PITCH = 0.146
 COLUMN_GAP = 0.022
 LEAST_SQUEEZE = 0.85  # of the type
-LEAST_TYPE = 0.022
+LEAST_TYPE = 0.021
 FIRST_HEAD = 0.042  # from the top
 SHORT_KEY = 0.7  # of the key's length, where columns need room
 SIZE = 0.0335
@@ -43,6 +43,8 @@ _WHOLE = re.compile(rf"[{MINUS}\d{THIN_SPACE}]*")
 
 #: Sets a cell's number in type.
 Figures = Callable[[Cell], Runs]
+#: Tells the name of a row.
+Naming = Callable[[Row], Runs]
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,13 +52,14 @@ class _Fit:
     """How the columns share the width.
 
     ``type`` is a factor on all sizes, ``key`` is the key's length, ``rights`` are where the
-    numbers end; where ``words`` is false, rows are named by their letters alone.
+    numbers end; ``naming`` tells the names of rows: without numbers, or by letters alone, where
+    there is no room.
     """
 
     type: float
     key: float
     rights: list[float]
-    words: bool
+    naming: Naming
 
 
 class Quarter:
@@ -125,7 +128,7 @@ class Quarter:
             marks.append(line([complex(area.left, y), complex(fit.rights[-1], y)], "hairline"))
         for row, baseline in zip(self._rows, self._baselines, strict=True):
             at, size = complex(area.left, baseline), SIZE * fit.type
-            marks += self._entries.name(row, at, fit.key, size, fit.type, fit.words)
+            marks += self._entries.name(row, at, fit.key, size, fit.type, fit.naming)
         return [mark for mark in marks if not isinstance(mark.shape, Lettering) or mark.shape.runs]
 
     def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:
@@ -168,15 +171,16 @@ class Quarter:
         """Return columns that never touch, for all numbers, and that are no wider than needed.
 
         Where they need room, first the columns draw together, then the key is cut short, then
-        all type shrinks alike; where that is not enough, the words of the names go.
+        all type shrinks alike; where that is not enough, the numbers of bodies go from the names,
+        and then their words.
         """
         area, rows = self._area, self._rows
         key = full = self._entries.key
         wide = [self._widest(name) + COLUMN_GAP for name in self._names]
         under = self._under_names() - wide[0] + COLUMN_GAP - NAME_GAP - SHORT_KEY * full
-        title = max([under, *(width(self._entries.heading(row), SIZE) for row in rows)])
-        letters = max([under, *(width(symbols(row.letters), SIZE) for row in rows)])
-        for name in (title, letters):
+        namings = (self._entries.heading, _called, lettered)
+        for naming in namings:
+            name = max([under, *(width(naming(row), SIZE) for row in rows)])
             content = NAME_GAP + name + sum(wide)
             key = min(key, max(SHORT_KEY * full, area.width - content * most))
             kind = min(most, (area.width - key) / content)
@@ -191,7 +195,7 @@ class Quarter:
         rights = [area.left + min(area.width, natural)]
         for pitch, more in zip(reversed(pitches[1:]), reversed(wanted), strict=True):
             rights.insert(0, rights[0] - pitch - share * more)
-        return _Fit(kind, key, rights, name == title)
+        return _Fit(kind, key, rights, naming)
 
     def _widest(self, name: str) -> float:
         """Return the width of a column's heads and numbers, bold or not, at type 1."""
@@ -263,6 +267,16 @@ class Quarter:
             return ()
         quantities = list(dict.fromkeys(cell.quantity for cell in cells))
         return symbols(" / ".join(quantities)) + roman(", " + self._unit(group, name))
+
+
+def _called(row: Row) -> Runs:
+    """Return the name of a row in words, with its letters."""
+    return roman(row.title + " ") + symbols(row.letters)
+
+
+def lettered(row: Row) -> Runs:
+    """Return the letters of a row."""
+    return symbols(row.letters)
 
 
 def _sign(cell: Cell) -> Runs:
@@ -369,12 +383,12 @@ class Entries:
         key: float,
         size: float,
         shrink: float = 1.0,
-        words: bool = True,
+        naming: Naming | None = None,
     ) -> list[Mark]:
-        """Return the key line of a row and its name, by its letters alone if not in ``words``."""
+        """Return the key line of a row and its name, which is its heading unless told."""
         number = next(i for i, other in enumerate(self.sheet.rows) if other.key == row.key)
         start = at + KEY_RISE * shrink * 1j
-        name = self.heading(row) if words else symbols(row.letters)
+        name = (naming or self.heading)(row)
         ink = [line([start, start + key], "key", number)] if row.inked else []
         return [
             *ink,
@@ -386,7 +400,7 @@ class Entries:
         cells = next(filter(None, row.cells.values()), ())
         number = cells[0].body if cells and self.numbers else ""
         behind = roman(f" ({number})") if number not in ("", row.letters) else ()
-        return roman(row.title + " ") + symbols(row.letters) + behind
+        return _called(row) + behind
 
     def legend(self, end: complex) -> list[Mark]:
         """Return the legend that says what grey means: a given value; it ends at ``end``."""

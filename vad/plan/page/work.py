@@ -18,7 +18,7 @@ from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Fading, Lettering, Mark, line
 from vad.plan.page.changing import measuring
 from vad.plan.page.heads import REMARK_SIZE, Piece, pieces, type_width
-from vad.plan.page.quarter import NAME_GAP, Entries, figures
+from vad.plan.page.quarter import NAME_GAP, Entries, figures, lettered
 from vad.plan.scene_layout import WORK
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, VELOCITY
@@ -277,13 +277,13 @@ class _Rows:
     def items(self, top: float, share: float) -> Iterator[Item]:
         """Yield the rows below a height, by a share smaller in all."""
         words, size, pitch = self._words, SIZE * min(share, self.type), ROW_PITCH * SIZE * share
-        shrink = size / SIZE
+        shrink, naming = size / SIZE, None if self._named else lettered
         y = top - pitch
         for row, (needed, measured) in self._shown:
             own = self._later(row, measured) if needed and not self._together else measured
             at = complex(words.room.left, y)
             key = words.key * shrink
-            yield words.item(*self._entries.name(row, at, key, size, shrink, self._named))
+            yield words.item(*self._entries.name(row, at, key, size, shrink, naming))
             first = at + self._tab * shrink
             until = FOREVER if self._together else min((c.since for c in own), default=FOREVER)
             follows = next((each.name for each in own if each.since == until), "")
