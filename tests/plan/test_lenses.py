@@ -265,3 +265,20 @@ def test_what_is_cut_ends_at_the_rim(degrees: int):
     found = abs((ring.conj() * np.roll(ring, -1)).imag.sum()) / 2
     assert found == pytest.approx(math.pi * (0.1 + BAND / 2) ** 2, rel=2e-3)
     assert lens(0.01 * way) == pytest.approx(lens.at + 0.04 * way)
+
+
+@pytest.mark.parametrize(("out", "into"), [(0, 0), (40, 0), (-30, 25)])
+def test_a_leader_that_is_turned_still_ends_at_both_circles(out: int, into: int):
+    turned = (cmath.rect(1.0, math.radians(out)), cmath.rect(1.0, math.radians(into)))
+    lens = Lens(0j, 0.02, 4.0, 0.2 + 0.1j, 0.08, turned=turned)
+    start, end = lens.leader
+    assert abs(start - lens.place) == pytest.approx(lens.ring)
+    assert abs(end - lens.at) == pytest.approx(lens.radius)
+    assert lens.leaves(0.6)
+    assert lens.mapped(2.0, 1j).leader == pytest.approx((2.0 * start + 1j, 2.0 * end + 1j))
+
+
+def test_a_leader_across_a_circle_is_seen():
+    behind = (-1.0 + 0j, 1.0 + 0j)
+    assert not Lens(0j, 0.02, 4.0, 0.2 + 0.1j, 0.08, turned=behind).leaves(0.6)
+    assert not Lens(0j, 0.02, 4.0, 0.2 + 0.1j, 0.08, turned=behind[::-1]).leaves(0.6)

@@ -33,6 +33,8 @@ def seen(name: str, **pose: float) -> Plan:
         ("toggle-press", {"angle": 30.0, "omega": 18.85, "alpha": 50.0}),
         # Four points stand within eight pixels: one lens shows all of them.
         ("watt-2", {"angle": 30.0, "omega": 10.0, "alpha": -20.0}),
+        # The leader of the lens leaves the ring beside the stroke that it would lie on.
+        ("whitworth-ram", {"angle": 95.0, "alpha": 20.0}),
         # Nothing is close: a letter far from its dot is no reason for a lens.
         ("whitworth", {"angle": 240.0, "omega": 10.0, "alpha": 0.0}),
     ],

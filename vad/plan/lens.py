@@ -22,6 +22,8 @@ from vad.plan.scale import Scale
 BAND = 0.009
 #: The heights at which a circle is cut into boxes, in its radius.
 SLABS = (-1.0, -0.8, -0.45, 0.45, 0.8, 1.0)
+#: The ends of a leader that points to the middles of both circles.
+STRAIGHT = (1.0 + 0j, 1.0 + 0j)
 #: An arc is drawn in a lens as chords of so many degrees.
 _BOW_STEP = 2.0
 #: So many sides has the polygon at which areas are cut.
@@ -44,6 +46,8 @@ class Lens:
         Where the lens stands.
     aside
         How far from its middle it shows that of the place, so that letters have room.
+    turned
+        Unit vectors: how far the ends of its leader are turned about the place and about the lens.
     """
 
     place: complex
@@ -52,6 +56,7 @@ class Lens:
     at: complex
     radius: float
     aside: complex = 0j
+    turned: tuple[complex, complex] = STRAIGHT
 
     def __call__(self, z: complex) -> complex:
         """Return where the lens shows a place of the page."""
@@ -92,6 +97,7 @@ class Lens:
             factor * self.at + shift,
             factor * self.radius,
             factor * self.aside,
+            self.turned,
         )
 
     @property
@@ -115,7 +121,20 @@ class Lens:
     def leader(self) -> tuple[complex, complex]:
         """The line from the rim of the place to that of the lens."""
         way = (self.at - self.place) / abs(self.at - self.place)
-        return self.place + self.ring * way, self.at - self.radius * way
+        out, into = self.turned
+        return self.place + self.ring * way * out, self.at - self.radius * way * into
+
+    def leaves(self, steep: float) -> bool:
+        """Tell whether its leader meets neither circle again, nor either at less than an angle.
+
+        ``steep`` is the sine of that angle.
+        """
+        start, end = self.leader
+        way = (end - start) / abs(end - start)
+        out, into = start - self.place, self.at - end
+        return (way * out.conjugate()).real > steep * abs(out) and (
+            way * into.conjugate()
+        ).real > steep * abs(into)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 import numpy as np
@@ -35,6 +37,14 @@ INWARD = 0.8
 WORDS = 0.027  # the size of the words below a lens
 LONGEST_BAR = 0.060
 BELOW = 0.014  # from the rim to the words
+#: At so many of the places, the ends of a leader are turned by so much, where it lies on strokes.
+TURNED = 4
+TURNS = [
+    (cmath.rect(1.0, math.radians(out)), cmath.rect(1.0, math.radians(into)))
+    for out, into in product((0, 30, -30, 60, -60), (0, 30, -30))
+]
+WORTH = 2.5 * PIXEL  # so much less does a leader lie on strokes that is turned for it
+STEEP = 0.6  # the sine of the least angle at which it meets the circles
 OFF_RING = 4.0 * PIXEL  # from the circle about the place, what a leader lies on counts
 
 Reals = NDArray[np.float64]
@@ -159,7 +169,7 @@ class Field:
         """Yield the best place of a lens of each of the ``radii`` that has one.
 
         Those that leave room for letters come first, and of them those whose leaders lie on no
-        stroke.
+        stroke; see `_best`.
         """
         words, room, grid = words_of(setting, scale, close.factor), self.room, self.grid
         aside = np.minimum(grid.real - room.left, room.right - grid.real)
@@ -178,9 +188,7 @@ class Field:
                 room_for = radius + BAND
                 apart = np.abs(grid - lens.place) >= room_for + lens.ring
                 fits = np.flatnonzero((clear >= room_for + CLEAR) & (beyond >= room_for) & apart)
-                best = fits[np.argsort(cost[fits], kind="stable")][:TRIED]
-                spots = self._with_words(lens, words, grid[best].tolist())
-                spot = self._least_covered(spots)
+                spot = self._best(lens, words, grid[fits[np.argsort(cost[fits], kind="stable")]])
                 if spot is None:
                     continue
                 tried.add(radius)
@@ -208,27 +216,55 @@ class Field:
                     found.setdefault(at, Spot(replace(lens, at=at), words, middle))
         return [found[at] for at in places if at in found]
 
+    def _best(self, lens: Lens, words: Words, places: Complexes) -> Spot | None:
+        """Return the lens at the first of the places at which its leader lies on least.
+
+        Where it lies on a stroke at all of the first, others are tried, and then leaders that do
+        not point to the middles of both circles.
+        """
+        spots = self._with_words(lens, words, places[:TRIED].tolist())
+        best = self._least_covered(spots)
+        if best and not best.covered:
+            return best
+        rest = places[TRIED :: max(1, (len(places) - TRIED) // TRIED)]
+        others = self._with_words(lens, words, rest.tolist())
+        best = _clearer(best, self._least_covered(others))
+        if best and not best.covered:
+            return best
+        spots += others
+        turned = [
+            replace(spot, lens=lens)
+            for spot in spots[:: max(1, len(spots) // TURNED)]
+            for ends in TURNS
+            if (lens := replace(spot.lens, turned=ends)).leaves(STEEP)
+            if not words.box(spot.middle).inside(-CLEAR).clipped(*lens.leader)
+        ]
+        return _clearer(best, self._least_covered(turned))
+
     def _least_covered(self, spots: list[Spot]) -> Spot | None:
         """Return the first lens whose leader lies on least; it lies on no words."""
-        leaders = [spot.lens.leader for spot in spots]
-        if not leaders:
+        if not spots:
             return None
+        leaders = np.array([spot.lens.leader for spot in spots])
+        starts, ends = leaders.T
+        ways = ends - starts
+        covered = self.obstacles.all_covered(starts + OFF_RING * ways / np.abs(ways), ends)
         free = self.obstacles.clear_of_labels(leaders, 2.0 * PIXEL)
-        best: Spot | None = None
-        for number in np.flatnonzero(free).tolist():
-            start, end = leaders[number]
-            start += OFF_RING * (end - start) / abs(end - start)
-            covered = self.obstacles.covered(start, end)
-            if best is None or covered < best.covered:
-                best = replace(spots[number], covered=covered)
-            if not covered:
-                break
-        return best
+        covered[~free] = np.inf
+        best = int(covered.argmin())
+        return replace(spots[best], covered=float(covered[best])) if free[best] else None
 
     def _is_clear(self, lens: Lens) -> bool:
         """Tell whether no words stand on the circle about the place."""
         around = list(pairwise(circle(lens.place, lens.ring)))
         return bool(self.obstacles.clear_of_labels(around, CLEAR).all())
+
+
+def _clearer(usual: Spot | None, other: Spot | None) -> Spot | None:
+    """Return the usual place of a lens, or another whose leader lies on clearly less."""
+    if usual and other:
+        return other if other.covered < usual.covered - WORTH else usual
+    return usual or other
 
 
 def beyond(box: Rect, at: complex) -> float:
