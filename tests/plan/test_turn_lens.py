@@ -15,7 +15,7 @@ from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lens import BAND
 from vad.plan.marks import Disc
 from vad.plan.turn_board import NumberedTurn, TurnBoard
-from vad.plan.turn_lens import FADE, HYSTERESIS, INSIDE, SMALL, TurnLens
+from vad.plan.turn_lens import FADE, HYSTERESIS, INSIDE, SMALL, TurnLens, _spans
 from vad.plan.turn_panel import TurnPanel
 
 CASES = {
@@ -141,6 +141,15 @@ def test_it_comes_once_in_a_turn():
     lens = shown.panels["velocity.below"].lens
     assert lens is not None
     assert len(lens.spans.ends) == 1
+
+
+def test_it_comes_again_where_it_stays_long_both_times():
+    reach = np.full(721, 0.1)
+    reach[:200] = reach[300:560] = 0.01
+    assert len(_spans(reach, 0.02, 0.0, 0.0375).ends) == 2
+    reach[340:560] = 0.1  # now it would be gone soon after it came
+    ((begin, end),) = _spans(reach, 0.02, 0.0, 0.0375).ends
+    assert end - begin == pytest.approx(200 / 720)
 
 
 def test_a_still_with_numbers_has_none():

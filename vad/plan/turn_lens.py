@@ -1,7 +1,8 @@
 """The lens of a turn: while all vectors of a polygon are small, they are shown once more, larger.
 
 Its place and its factor never change.  It comes when every point is so near to the others that it
-has room for all of them, and goes when one is farther away by a `HYSTERESIS`; once in a turn.
+has room for all of them, and goes when one is farther away by a `HYSTERESIS`; once in a turn, and
+twice if it stays long.
 """
 
 from __future__ import annotations
@@ -62,6 +63,8 @@ RADII = 7
 KEPT = 0.055
 #: It is there for that many times the time in which it comes, at least.
 LEAST_SPAN = 4.0
+#: It comes a second time in a turn if it stays for that share of it both times.
+LONG_SPAN = 0.2
 #: It makes up for at least that share of what small vectors lack, and covers no more of the
 #: hodographs than that.
 LEAST_GAIN, COVERED = 0.4, 0.05
@@ -232,8 +235,10 @@ def _spans(reach: Reals, limit: float, opening: float, fade: float) -> Spans:
             if number - since > LEAST_SPAN * fade * count:
                 ends.append((since / count + opening, number / count + opening))
             since = None
-    # One that came and went more than once a turn would flicker.
-    return Spans(tuple(sorted(ends, key=lambda end: end[0] - end[1])[:1]), fade)
+    # One that came and went often, or for a short time, would flicker.
+    longest = sorted(ends, key=lambda end: end[0] - end[1])
+    again = [end for end in longest[1:2] if end[1] - end[0] >= LONG_SPAN]
+    return Spans((*longest[:1], *again), fade)
 
 
 def _shifts(drawn: Complexes, room: Rect) -> list[complex]:
