@@ -69,6 +69,23 @@ def test_of_a_followed_point_a_page_has_the_path_and_the_hodographs_alone() -> N
     assert foot["columns"] == every["columns"]
 
 
+@pytest.mark.parametrize(
+    ("mechanism", "units"),
+    [
+        (vad.ScotchYoke(), ["mm", "mm/s", "mm/s²"]),  # its crank alone turns
+        (vad.FourBar(), ["°", "rad/s", "rad/s²"]),
+    ],
+)
+def test_the_first_curve_of_a_page_is_not_that_of_what_is_given(
+    mechanism: vad.Mechanism, units: list[str]
+) -> None:
+    hand = parts(vad.animate(vad.draw(vad.solve(mechanism)))).hand
+    assert hand is not None
+    columns = hand.data["curves"]["columns"]
+    assert [column[0][3] for column in columns] == units
+    assert {value[3] for value in columns[1]} == {"rad/s", units[1]}
+
+
 def test_the_velocities_of_what_goes_round_are_never_cut() -> None:
     panels = ["position", "velocity", "acceleration"]
     assert fast(vad.CrankSlottedLever(), panels) == 1

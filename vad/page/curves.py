@@ -40,7 +40,8 @@ def curves(
     Returns
     -------
     dict
-        ``columns``: of each panel its values, each with row, output, factor, unit and symbol.
+        ``columns``: of each panel its values, each with row, output, factor, unit and symbol;
+        those first that have the unit of a result.
         ``tracks``: of each panel its points, each with the row whose ink it has or None, the
         outputs of x and y, and the place of its scale among the inputs, None where that stays.
         ``on``: the names of what is shown from the start.
@@ -56,6 +57,12 @@ def curves(
         ]
         for panel in traced.panels
     ]
+    # The page begins with the first unit: not with one that the given place or rate alone has.
+    for number, panel in enumerate(traced.panels):
+        cells = (cell for row in traced.rows for cell in row.cells.get(panel.name, ()))
+        results = {notation.unit(cell.unit) for cell in cells if not cell.given}
+        first = [value for value in columns[number] if value[3] in results]
+        columns[number] = first + [each for each in columns[number] if each not in first]
     names, tracks = list(board.traced.inputs), []
     for panel in traced.panels:
         found: list[list[Any]] = []
