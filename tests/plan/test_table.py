@@ -10,6 +10,7 @@ import vad
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.lettering.glyphs import typeset, width
+from vad.plan.lettering.runs import plain, roman
 from vad.plan.marks import Lettering
 from vad.plan.page.quarter import after_point
 from vad.plan.page.table import table
@@ -102,6 +103,37 @@ def test_decimal_points_stand_one_below_the_other(name, size):
                     right = halves and number.at.real > board.page.width / 2
                     points.setdefault((head, right), set()).add(round(number.at.real + ahead, 9))
         assert all(len(found) <= 1 for found in points.values()), (panel.name, points)
+
+
+@pytest.mark.parametrize("turns", [{}, {"ω₄": -1.0, "α₄": 1.0}])
+@pytest.mark.parametrize("name", ["whitworth", "four-bar"])
+def test_the_head_of_a_column_stands_above_its_numbers(name, turns):
+    """Its middle is above theirs, however long a given number is; round arrows do not count."""
+    mechanism = vad.Whitworth(rod=300) if name == "whitworth" else vad.FourBar()
+    sheet = vad.draw(vad.solve(mechanism, angle=60.123456, omega=6.2831853, alpha=20.0))
+    key = load_style("paper").key
+    laid = table(sheet, plan(sheet, screen(SIZE), key).page, key, turns=turns)
+    notes = [mark.shape for mark in laid.frame() if mark.role == "notes"]
+    heads = [(ink_box(text), plain(text.runs)) for text in notes if isinstance(text, Lettering)]
+    for panel in sheet.panels:
+        columns: dict[str, list[tuple[float, float]]] = {}
+        for index, row in enumerate(sheet.rows):
+            [cell, *_], [entry, *_] = (
+                row.cells[panel.name],
+                laid.cells(index, row, panel.name, False),
+            )
+            number = entry.number.shape
+            assert isinstance(number, Lettering)
+            bare = roman(plain(number.runs).partition("\N{NO-BREAK SPACE}")[0])
+            left = number.at.real
+            end = left + width(bare, number.size)
+            columns.setdefault(cell.unit, []).append((left, end))
+        for unit, ends in columns.items():
+            first, last = min(left for left, _ in ends), max(right for _, right in ends)
+            boxes = [box for box, text in heads if text.endswith(f", {unit}")]
+            [box] = [box for box in boxes if box[0] < last and box[2] > first]
+            slack = max(0.0, (box[2] - box[0] - last + first) / 2) + 0.003
+            assert abs(box[0] + box[2] - first - last) / 2 < slack, (panel.name, unit)
 
 
 def test_a_rate_is_printed_as_it_was_typed():

@@ -122,7 +122,7 @@ class Quarter:
         marks = self._legend() if legend else []
         for group, head in zip(self._groups, self._heads, strict=True):
             for name, right in zip(self._names, fit.rights, strict=True):
-                at, size = complex(right, head), HEAD_SIZE * fit.type
+                at, size = complex(self._head_end(group, name, right), head), HEAD_SIZE * fit.type
                 marks.append(_right(self._quantities(group, name), at, size, "notes"))
             y = head - 0.0135 * self._squeeze
             marks.append(line([complex(area.left, y), complex(fit.rights[-1], y)], "hairline"))
@@ -154,9 +154,23 @@ class Quarter:
             found.append(Entry(tuple(symbol), number, left, right))
         return found
 
+    def _head_end(self, group: list[Row], name: str, right: float) -> float:
+        """Return where the head of a column ends, which is at ``right``.
+
+        Its middle is above that of the column's numbers, of which round arrows are no part.
+        """
+        kind, tail = self._fit.type, self._tail(name, group)
+        numbers = self._numbers(name, group, turns=False)
+        bare = max((after_point(runs, SIZE) for runs in numbers), default=tail)
+        middle = right - (tail - bare + (self._whole(name, group) + bare) / 2) * kind
+        wide = width(self._quantities(group, name), HEAD_SIZE * kind)
+        return max(min(middle + wide / 2, right), self._left(name) + wide)
+
     def _legend(self) -> list[Mark]:
-        wide = width(self._quantities(self._groups[0], self._names[0]), HEAD_SIZE * self._fit.type)
-        room = self._fit.rights[0] - wide - COLUMN_GAP - self._area.left
+        group, name = self._groups[0], self._names[0]
+        wide = width(self._quantities(group, name), HEAD_SIZE * self._fit.type)
+        end = self._head_end(group, name, self._fit.rights[0])
+        room = end - wide - COLUMN_GAP - self._area.left
         own = self._entries.legend_width
         return self._entries.legend(self._area.left + own + 1j * self.head) if own <= room else []
 
@@ -216,10 +230,13 @@ class Quarter:
         """Return the width behind the decimal points of a column of a group, at type 1."""
         return max((after_point(runs, SIZE) for runs in self._numbers(name, group)), default=0.0)
 
-    def _numbers(self, name: str, group: list[Row]) -> list[Runs]:
-        """Return the first numbers of the rows of a group in a column, bold or not."""
+    def _numbers(self, name: str, group: list[Row], turns: bool = True) -> list[Runs]:
+        """Return the first numbers of the rows of a group in a column, bold or not.
+
+        Without ``turns`` they have no round arrows.
+        """
         rows = [row for row in group if row.cells.get(name)]
-        numbers = [self._written(row.cells[name][0], row, name) for row in rows]
+        numbers = [self._written(row.cells[name][0], row, name, turns) for row in rows]
         return [face for runs in numbers for face in (runs, bold(runs))]
 
     def _group(self, row: Row) -> list[Row]:
@@ -247,12 +264,12 @@ class Quarter:
             found += [_sign(cell) + self._written(cell, row, name) for cell, _ in pairs]
         return found
 
-    def _written(self, cell: Cell, row: Row, name: str) -> Runs:
+    def _written(self, cell: Cell, row: Row, name: str, turns: bool = True) -> Runs:
         """Return the number of a cell, with its unit where the head has another one."""
         runs, unit = self._entries.figures(cell), self._entries.unit(cell)
         if unit != self._unit(self._group(row), name):
             runs += roman(with_unit("", unit))
-        return runs + self._entries.turn(cell)
+        return runs + self._entries.turn(cell) if turns else runs
 
     def _unit(self, group: list[Row], name: str) -> str:
         """Return the unit in the head of a column: that of what is found, if anything is."""
