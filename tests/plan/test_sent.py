@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -17,6 +18,7 @@ from vad.plan.items import CAPTION, FLIGHT, Item
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Bending, Bow, Flying, Leg, Lettering, Mark, bent
+from vad.plan.page.quarter import without_turn
 from vad.plan.stage import Stage
 from vad.strokes.travels import found_rates, travels
 
@@ -83,10 +85,26 @@ def test_a_number_without_room_at_its_link_flies_to_its_row():
         near = mark.at(23 / 24)
         assert near and isinstance(near.shape, Lettering)
         assert near.shape.size == pytest.approx(row.size)
-        ends = [each.at.real + width(each.runs, each.size) for each in (near.shape, row)]
+        both = (near.shape, replace(row, runs=without_turn(row.runs)))
+        ends = [each.at.real + width(each.runs, each.size) for each in both]
         assert ends[0] == pytest.approx(ends[1])
         assert near.shape.at.imag == pytest.approx(row.at.imag)
         assert mark.at(1.0) is None
+
+
+def test_a_row_of_the_work_says_the_senses_that_the_whole_table_says():
+    motion = vad.solve(vad.load(example_path("peaucellier"))(), angle=30.0, alpha=20.0)
+    stage = Stage(vad.draw(motion), screen((1280, 720)), KEY)
+    signs = {"↺": 1.0, "↻": -1.0, "": 0.0}
+    told: dict[str, float] = {}
+    for item in stage.scene(2).items:
+        for text in (mark.shape for mark in item.marks if item.region.endswith("work")):
+            said = plain(text.runs) if isinstance(text, Lettering) else ""
+            symbol, equals, value = said.partition(" = ")
+            if equals and not value.endswith("°"):
+                told[symbol] = signs[value.partition("\N{NO-BREAK SPACE}")[2]]
+    assert told.keys() & stage.whole.turns.keys()
+    assert told == {symbol: stage.whole.turns.get(symbol, 0.0) for symbol in told}
 
 
 def test_an_arrow_keeps_its_length_and_its_head():

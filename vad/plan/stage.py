@@ -159,7 +159,8 @@ class Stage:
                 sketches[half.name] = sketches[half.name].mapped(factor, shift)
             drawn = list(pictures(sketches, layout.regions[FLIGHT], self._travels))
         senses, flies = list(found_senses(sketches)), self._travels is not None
-        work = list(in_work(sheet, large, sketches, layout.work, self._key, flies))
+        turns = self.whole.turns
+        work = list(in_work(sheet, large, sketches, layout.work, self._key, flies, turns))
         if flies:
             numbers, shown = numbers_said(sheet, self._captions(sketches)), senses
             senses = [*sent(shown, numbers), *to_rows(work, shown, numbers)]

@@ -357,6 +357,12 @@ def turn_sign(turns: Mapping[str, float], cell: Cell) -> str:
     return f"\N{NO-BREAK SPACE}{ANTICLOCKWISE if sign > 0.0 else CLOCKWISE}" if sign else ""
 
 
+def without_turn(runs: Runs) -> Runs:
+    """Return the runs of a number without the round arrow behind it."""
+    turns = bool(runs) and runs[-1].text.endswith((ANTICLOCKWISE, CLOCKWISE))
+    return runs[:-1] if turns else runs
+
+
 @dataclass(frozen=True, slots=True)
 class Entry:
     """A cell on the page: its symbol, its number, and the room in which that may be written."""

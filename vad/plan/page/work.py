@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from types import MappingProxyType
 
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Item, Level, Span
@@ -97,15 +98,18 @@ def in_work(
     room: Rect,
     key: float,
     flies: bool = False,
+    turns: Mapping[str, float] = MappingProxyType({}),
 ) -> Iterator[Item]:
     """Yield what stands in ``room`` while a panel is drawn, each part until the next is begun.
 
-    Where what is found ``flies`` to its link, it stands in its row when it is there.
+    Where what is found ``flies`` to its link, it stands in its row when it is there.  ``turns`` are
+    the rates whose senses stand behind their numbers, as in the whole table.
     """
     told = parts(panel)
     begun = [0, *(sketches[each.half.name].setting.during(each.first) for each in told[1:])]
     for part, span in zip(told, zip(begun, [*begun[1:], FOREVER], strict=True), strict=True):
-        yield from _Words(sheet, panel, sketches, room, SHORT_KEY * key, part, span, flies).items()
+        words = _Words(sheet, panel, sketches, room, SHORT_KEY * key, part, span, flies, turns)
+        yield from words.items()
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,6 +124,7 @@ class _Words:
     part: Part
     span: Span
     flies: bool
+    turns: Mapping[str, float]
 
     def items(self) -> Iterator[Item]:
         """Yield them from the top down, all of them smaller where they would not fit."""
@@ -201,7 +206,8 @@ class _Words:
             yield self.item(Mark(text, "term", row), since=inked, name=name)
 
     def _rows(self) -> _Rows:
-        return _Rows(self, Entries(self.sheet, self.key, figures(self.sheet), False))
+        entries = Entries(self.sheet, self.key, figures(self.sheet), False, self.turns)
+        return _Rows(self, entries)
 
 
 @dataclass(frozen=True, slots=True)
@@ -257,7 +263,7 @@ class _Rows:
             for cell in cells:
                 number = self._entries.figures(cell)
                 unit = roman(with_unit("", self._entries.unit(cell)))
-                text = symbols(f"{cell.symbol} = ") + number + unit
+                text = symbols(f"{cell.symbol} = ") + number + unit + self._entries.turn(cell)
                 heavy = self._entries.dressed(cell, True, text)
                 found.append(_Cell(cell, text, heavy, stroke, since))
         return found

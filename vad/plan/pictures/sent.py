@@ -25,13 +25,14 @@ from vad.plan.marks import (
     Polygon,
     bent,
 )
+from vad.plan.page.quarter import without_turn
 
 #: When the number leaves, when it arrives, and when the arrow is bent: shares of the whole.
 LEAVES, ARRIVES, BENT = 0.06, 0.55, 0.92
 #: When the arrow below the number is there; when the number fades; when the name comes.
 ARROW, FADES, NAMED = (0.06, 0.25), (0.70, 0.90), (0.80, 0.95)
-#: How far the arrow is bent that looks straight.
-STRAIGHT = 0.05
+#: How far the arrow is bent that looks straight, in degrees.
+STRAIGHT = 3.0
 #: From the baseline of a number to the arrow below it, in its size, and how high it flies.
 BELOW, ARCH = 0.5, 0.10
 PARTS = 24
@@ -79,7 +80,7 @@ def to_rows(
         done.add(item.stroke)
         (number, said), goal = numbers[item.stroke], mark.shape
         size = goal.size / number.size
-        end = goal.at + width(goal.runs, goal.size) - width(number.runs, goal.size)
+        end = goal.at + width(without_turn(goal.runs), goal.size) - width(number.runs, goal.size)
         legs = []
         for share in _shares():
             part = _part(share, LEAVES, BENT)
@@ -128,11 +129,12 @@ def _bending(
     """Yield how an arrow flies below a number, of a first and a last size, and bends at last."""
     middle = bow.start + bow.sweep / 2
     place = bow.centre + cmath.rect(bow.radius, math.radians(middle))
+    straight = STRAIGHT / max(abs(bow.sweep), STRAIGHT)
     level = math.remainder(-(middle + math.copysign(90.0, bow.sweep)), 360.0)
     for share, spot in way:
         flown, done = _part(share, LEAVES, ARRIVES), _part(share, ARRIVES, BENT)
         below = spot - 1j * BELOW * (first + (last - first) * flown) - place
-        factor = STRAIGHT + (1.0 - STRAIGHT) * done
+        factor = straight + (1.0 - straight) * done
         yield Leg(share, (1.0 - done) * below, factor, (1.0 - done) * level, _part(share, *ARROW))
 
 
