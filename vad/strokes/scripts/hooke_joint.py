@@ -24,7 +24,7 @@ from vad.written import PRIME
 FRONT = View((0.0, -1.0, 0.0), (1.0, 0.0, 0.0))
 PLAN = View((0.0, -1.0, 0.0), (0.0, 0.0, -1.0), -2.6j)
 #: The length of OP and OQ in the paper, and the radii of their arcs.
-LAID, ARCS = 1.35, (1.12, 1.25)
+LAID, ARCS = 1.4, (1.08, 1.29)
 #: From O: the back of a yoke, the middle of its bearing, the end of its shaft, that of its axis.
 BACK, BEARING, END, AXIS = 0.5, 0.85, 1.05, 1.25
 #: Radii of the arcs of θ₂, θ₄ and of the angle between the shafts; half of a fork in degrees.
