@@ -8,8 +8,9 @@ from __future__ import annotations
 import cmath
 import itertools
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -24,6 +25,7 @@ from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.marks import Bow, Mark, Trimming, area
 from vad.plan.pictures import machine
+from vad.plan.pictures.sense_places import Bar, distances
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH, Vector
 from vad.plan.reach import is_yoke
 from vad.plan.roles import ROLES
@@ -218,14 +220,19 @@ def free_place(
     name: str = "ω",
     largest: float = math.inf,
     sizes: Sequence[tuple[float, float]] = SENSE_SIZES,
+    apt: Callable[[SensePlace], bool] = lambda _: True,
 ) -> SensePlace | None:
     """Return a free place for the arrow of ω, best ahead of a crank that stands at so many degrees.
 
     ``sense`` is ±1, the sense in which it turns, ``name`` what is written beside it, ``largest``
-    the largest radius, ``sizes`` its radii and spans.  Where all places are on strokes, it is the
-    one that is the least so; None where none is free of labels.
+    the largest radius, ``sizes`` its radii and spans, ``apt`` tells which places are allowed.
+    Where all places are on strokes, it is the one that is the least so; None where none is free of
+    labels.
     """
-    places = [place for place in _ahead(crank, sense, sizes) if place.radius <= largest]
+    every = _ahead(crank, sense, sizes)
+    places = [place for place in every if place.radius <= largest and apt(place)]
+    if not places:
+        return None
     letters = [place.letter(centre, name) for place in places]
     spots, first = [letter.centre for letter in letters], letters[0]
     clear = obstacles.free(spots, first.wide, first.high, CLEARANCE, APART)
@@ -257,6 +264,19 @@ def least_crossing(obstacles: Obstacles, centre: complex, crank: float, sense: f
         return outside, int(labels.sum()), int(strokes.sum())
 
     return min(_ahead(crank, sense), key=crossed)
+
+
+def _beside_own(sketch: Sketch, angle: Stroke, place: SensePlace) -> bool:
+    """Tell whether an arrow stands nearer to the bar that an angle turns than to another link."""
+    bars: dict[bool, list[Bar]] = {True: [], False: []}
+    for stroke in sketch.setting.panel.strokes:
+        if isinstance(stroke.shape, Arrow) and stroke.link:
+            ends = sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
+            bars[stroke.link == angle.link].append(ends)
+    centre = sketch.solved.place(Anchor.of(angle.name, "centre"))
+    line = np.array(place.line(centre))
+    own, others = (distances(line, bars[mine]) for mine in (True, False))
+    return not bars[True] or bool((own <= others).all())
 
 
 def _ahead(
@@ -304,7 +324,8 @@ def add_free_sense(
         crank, sense = shape.start + shape.sweep, math.copysign(1.0, omega)
         name = rate_of(sketch)
         centre = sketch.scale(shape.centre)
-        place = free_place(sketch.obstacles, centre, crank, sense, name, sizes=sizes)
+        apt = partial(_beside_own, sketch, angle)
+        place = free_place(sketch.obstacles, centre, crank, sense, name, sizes=sizes, apt=apt)
         if place:
             add_sense(sketch, index, angle, place)
             block_sense(sketch, angle, place)
