@@ -109,14 +109,17 @@ def away(point: complex, ends: tuple[complex, complex]) -> float:
     return abs(off - min(max(off.real, 0.0), abs(end - start)))
 
 
+@pytest.mark.parametrize("crossed", [False, True])
 @pytest.mark.parametrize("turned", [False, True])
-def test_a_letter_between_two_dots_gets_a_leader(turned: bool):
+def test_a_letter_between_two_dots_gets_a_leader(turned: bool, crossed: bool):
     """The one place near by is a little nearer to its own dot, too far to tell whose it is."""
     page = Obstacles(PAGE)
     at, rival = (0.53 + 0.5j, 0.5 + 0.5j) if turned else (0.5 + 0.5j, 0.53 + 0.5j)
     page.box(Rect(0.35, 0.515, 0.65, 0.53))
     page.box(Rect(0.35, 0.44, 0.47, 0.53))
     page.box(Rect(0.56, 0.44, 0.65, 0.53))
+    if crossed:  # all other places are beyond a stroke
+        page.line((0.447j, 1.0 + 0.447j), PIXEL)
     wish = Wish(at, -1j, 0.02, 0.02, near=(0.024,), rivals=[rival])
     near = near_places(page, wish)
     assert near

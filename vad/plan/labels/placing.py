@@ -235,14 +235,14 @@ def _led_off(obstacles: Obstacles, wish: Wish, near: Placed | None) -> Placed:
     """Return a place with a leader, or one ``near`` that may name another if none is short."""
     if near and obstacles.has_room(near.centre, wish.wide, wish.high, CLEARANCE, APART):
         led = far_off(obstacles, wish, SHORT)
-        return led if is_short(led) else replace(near, doubt=True)
+        return led if is_short(led, across=True) else replace(near, doubt=True)
     return far_off(obstacles, wish)
 
 
-def is_short(placed: Placed) -> bool:
-    """Tell whether a label has a short leader that crosses nothing and passes no dot."""
+def is_short(placed: Placed, across: bool = False) -> bool:
+    """Tell whether a label has a short leader that passes no dot, and no stroke but ``across``."""
     ends = placed.leader
-    clear = not (placed.forced or placed.crosses or placed.doubt)
+    clear = not (placed.forced or placed.doubt or (placed.crosses and not across))
     return ends is not None and abs(ends[0] - ends[1]) < SHORT and clear
 
 
@@ -315,7 +315,7 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
             ends = np.array([each.leader or (wish.at, wish.at) for each in led])
             long = np.abs(ends[:, 1] - ends[:, 0])
             if long.min() > longest:
-                return last
+                return best or last
             if LENGTH_COUNTS * long.min() > least + SPARED:
                 break
             passed = _passed(wish, *ends.T)
