@@ -3,6 +3,9 @@
 Two vertices that are not equal and stand within `LEAST` look like one, and a letter far from its
 dot is not seen to name it.  A lens enlarges such a place by the smallest factor that brings the
 points `APART`, and has the letters of all that it shows.  Needs that are near share one lens.
+
+Two lenses are enough for nearly all panels, and more make a panel restless.  But that no two points
+look like one comes first: where lenses leave such points, one more stands if it has room.
 """
 
 from __future__ import annotations
@@ -29,7 +32,7 @@ LETTERED = 0.036
 LARGEST, LARGEST_ALONE, SMALLEST = 0.108, 0.135, 0.068
 #: The least radius of the circle about the place.
 LEAST_RING = 0.0165
-MOST = 2  # lenses in a panel
+MOST = 2  # lenses in a panel, but for one more where points still look like one
 #: Among more points than this two lenses help little, and to look for their places takes a minute.
 MANY = 30
 TRIED = 16  # of the places that a lens may show
@@ -88,9 +91,30 @@ def close_places(
             break
         found.append(close)
         taken.update(seen)
-        factor, told = close.factor, set(seen)
-        needs = [each for each in needs if not (told.issuperset(each.members) and each.met(factor))]
+        needs = list(_unmet(needs, seen, close.factor))
     return found
+
+
+def untold(vertices: Sequence[Vertex], close: Sequence[Close]) -> list[Need]:
+    """Return the pairs of vertices that look like one where no lens of a ``close`` place helps."""
+    needs = list(_needs(vertices, ())) if len(vertices) <= MANY else []
+    for each in close:
+        needs = list(_unmet(needs, each.members, each.factor))
+    return needs
+
+
+def left_places(
+    setting: Setting, vertices: Sequence[Vertex], close: Sequence[Close]
+) -> Iterator[Close]:
+    """Yield places that tell apart what lenses of other ``close`` places do not, the best first."""
+    taken = {number for each in close for number in each.members}
+    yield from islice(_tried(setting, vertices, untold(vertices, close), taken), TRIED)
+
+
+def _unmet(needs: Sequence[Need], shown: Collection[int], factor: float) -> Iterator[Need]:
+    """Yield the needs that a lens of a factor does not meet that has ``shown`` some vertices."""
+    told = frozenset(shown)
+    return (each for each in needs if not (told.issuperset(each.members) and each.met(factor)))
 
 
 def _tried(

@@ -2,7 +2,8 @@
 
 A lens stands in a free corner of its panel, before the letters have their places: these keep clear
 of it.  If there is no corner, the drawing becomes a little smaller; if there is none then, the
-letters stand apart and no lens is drawn.
+letters stand apart and no lens is drawn.  Where lenses leave points that look like one, one more is
+drawn if it has room in the same drawing.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from typing import NamedTuple
 from vad.plan.geometry import Rect
 from vad.plan.items import ALWAYS, FOREVER
 from vad.plan.labels.choices import PlacedLabels
-from vad.plan.labels.close import MANY, MOST, close_places
+from vad.plan.labels.close import MANY, MOST, close_places, left_places, untold
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import distance, is_short
 from vad.plan.labels.vertices import Vertex, label_vertices
@@ -72,6 +73,8 @@ class LensedLabels(PlacedLabels):
         Labels without a place beside their dots.
     most
         With more leaders of lenses across strokes there is no drawing.
+    more
+        Whether there is one more lens for points that look like one; without it, no drawing.
 
     Attributes
     ----------
@@ -89,12 +92,22 @@ class LensedLabels(PlacedLabels):
         Whether the letters have places: there was room for the lenses.
     """
 
-    def __init__(self, rank: int = 0, far: Collection[str] = (), most: float = math.inf) -> None:
-        self._rank, self._far, self._most = rank, far, most
+    def __init__(
+        self,
+        rank: int = 0,
+        far: Collection[str] = (),
+        most: float = math.inf,
+        more: bool = False,
+    ) -> None:
+        self._rank, self._far, self._most, self._more = rank, far, most, more
         self.close: list[Close] = []
         self.led: frozenset[str] = frozenset()
         self.fits = self.forced = self.faults = 0
         self.placed = False
+
+    def with_more(self) -> LensedLabels:
+        """Return such labels in a drawing with one more lens, at the price of one fault at most."""
+        return LensedLabels(self._rank, self._far, self.faults + 1, more=True)
 
     def vertices(
         self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
@@ -118,6 +131,8 @@ class LensedLabels(PlacedLabels):
             choices = subsets([scenes[each] for each in self.close])[self._rank :]
             found = find_lenses(sketch, choices)
             self.fits = self._rank + found.number if found else NONE
+            if self._more:
+                found = found and found.with_another(sketch)
             self.faults = sum(spot.covered > CROSSED for _, spot, _ in found.placed) if found else 0
             if not found or self.fits > self._rank or self.faults > self._most:
                 raise NoRoomError
@@ -149,6 +164,11 @@ def with_lenses(setting: Setting, draw: Draw) -> Sketch:
         other = LensedLabels(0, labels.led)
         better = _tried(draw, room, other)
         if better and len(other.led) < len(labels.led) and other.forced <= labels.forced:
+            sketch, labels = better, other
+    if 0 < len(sketch.close) <= MOST and untold(sketch.vertices, sketch.close):
+        other = labels.with_more()
+        better = _tried(draw, room, other)
+        if better and other.faults <= labels.faults + 1:
             return better
     return sketch
 
@@ -219,6 +239,33 @@ class Found(NamedTuple):
     number: int
     placed: list[tuple[Scene, Spot, View]]
     inset: tuple[Inset, Corner] | None
+
+    def with_another(self, sketch: Sketch) -> Found | None:
+        """Return them with one more lens beside them for points that look like one.
+
+        None where there are no such points, or it has no place.
+        """
+        close = [view.close for _, _, view in self.placed]
+        field: Field | None = None
+        for each in left_places(sketch.setting, sketch.vertices, close):
+            scene = Scene(sketch, each)
+            if not scene.shown:
+                continue
+            field = field or self._beside(sketch)
+            fitting = scene.place(field) or scene.place(field, little=True)
+            if fitting:
+                return self._replace(placed=[*self.placed, (scene, *fitting)])
+        return None
+
+    def _beside(self, sketch: Sketch) -> Field:
+        """Return where one more lens has room."""
+        field = _field(sketch, 0)
+        if self.inset:
+            taken = [(box, ALWAYS) for box in boxes(*self.inset)]
+            field = field.less(Obstacles(field.room, [], taken))
+        for _, spot, _ in self.placed:
+            field = field.beside(spot)
+        return field
 
     def add(self, sketch: Sketch) -> None:
         """Add them to the drawing."""

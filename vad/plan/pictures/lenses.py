@@ -27,7 +27,8 @@ from vad.plan.scale import SCALE_GAP, Scale, bar_marks, scale_bar
 from vad.plan.sketch import Close, Setting
 
 STEP = 0.012  # from one place that is tried to the next
-BESIDE = 0.008  # so far may a lens reach into the gutter
+#: So far may a lens reach into the gutter, and so far where there is little room.
+BESIDE, FAR_BESIDE = 0.008, 0.022
 TRIED = 24  # of the best places
 CLEAR = 0.004  # between the band about a lens and all other ink
 #: From a dot to the band about a lens: room for the letter of the dot.
@@ -115,10 +116,13 @@ class Spot:
         obstacles.line(ring, ROLES["lens place"].width, span)
 
 
-def words_of(setting: Setting, scale: Scale, enlarged: float) -> Words:
-    """Return the words below a lens that shows a picture of a scale so many times ``enlarged``."""
+def words_of(setting: Setting, scale: Scale, enlarged: float, few: bool = False) -> Words:
+    """Return the words below a lens that shows a picture of a scale so many times ``enlarged``.
+
+    ``few`` are the factor alone.
+    """
     times = roman(f"×{enlarged:g}")
-    if scale.bare:
+    if few or scale.bare:
         return Words(times)
     factor = enlarged * scale.factor
     value = scale_bar(factor, LONGEST_BAR)
@@ -164,17 +168,23 @@ class Field:
         return Field(self.room, self.grid, clear, roomy, obstacles)
 
     def places(
-        self, setting: Setting, scale: Scale, close: Close, radii: Sequence[float]
+        self,
+        setting: Setting,
+        scale: Scale,
+        close: Close,
+        radii: Sequence[float],
+        little: bool = False,
     ) -> Iterator[Spot]:
         """Yield the best place of a lens of each of the ``radii`` that has one.
 
         Those that leave room for letters come first, and of them those whose leaders lie on no
-        stroke; see `_best`.
+        stroke; see `_best`.  Where there is ``little`` room, a lens reaches farther into the
+        gutter, and has no bar.
         """
-        words, room, grid = words_of(setting, scale, close.factor), self.room, self.grid
+        words, room, grid = words_of(setting, scale, close.factor, little), self.room, self.grid
         aside = np.minimum(grid.real - room.left, room.right - grid.real)
         above = np.minimum(grid.imag - room.bottom, room.top - grid.imag)
-        beyond = np.minimum(aside + BESIDE, above)
+        beyond = np.minimum(aside + (FAR_BESIDE if little else BESIDE), above)
         cost = np.abs(grid - close.middle) + INWARD * (aside + above)
         crossing: list[Spot] = []
         tried: set[float] = set()

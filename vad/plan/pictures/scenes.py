@@ -28,6 +28,8 @@ from vad.plan.sketch import Close, Sketch
 
 #: How many radii are tried.
 RADII = 5
+#: Smaller ones, tried where there is little room.
+LITTLE = (0.062, 0.056)
 #: So much of a leader lies on a stroke that it crosses squarely.
 CROSSED = 7.0 * PIXEL
 #: The sizes of letters in a lens, and how many stand in one line.
@@ -59,11 +61,14 @@ class View(NamedTuple):
     letters: list[tuple[int, Placed]]
 
     def within(self, radius: float, vertices: Sequence[Vertex]) -> View | None:
-        """Return it in a smaller lens; None where a letter would not be in it."""
+        """Return it in another lens; None where a letter would not be in it, or a dot has none."""
         inner = radius - ROLES["lens rim"].width - CLEARANCE
         if any(_reach(placed.box) > inner for _, placed in self.letters):
             return None
         if any(abs(self.lens(vertices[n].at)) > radius - INNER for n in self.close.members):
+            return None
+        others = (v for n, v in enumerate(vertices) if n not in self.close.members)
+        if any(abs(self.lens(vertex.at)) < radius for vertex in others):
             return None
         return self._replace(lens=replace(self.lens, radius=radius))
 
@@ -98,10 +103,15 @@ class Scene:
         self._strokes = Obstacles(sketch.setting.room)
         _block(self._strokes, (each for _, marks in self._whole for each in marks))
 
-    def place(self, field: Field, first: int) -> tuple[Spot, View] | None:
-        """Return the best place of a lens, and what is seen there, without the ``first`` radii."""
-        own = [radius for radius in self._radii[first:] if self._view(radius)]
-        for spot in field.places(self._sketch.setting, self._sketch.scale, self._close, own):
+    def place(self, field: Field, first: int = 0, little: bool = False) -> tuple[Spot, View] | None:
+        """Return the best place of a lens, and what is seen there, without the ``first`` radii.
+
+        Where there is ``little`` room for it, still smaller ones are tried.
+        """
+        radii = [*self._radii[first:], *(LITTLE if little else ())]
+        own = [radius for radius in radii if self._view(radius)]
+        setting, scale = self._sketch.setting, self._sketch.scale
+        for spot in field.places(setting, scale, self._close, own, little):
             if spot.covered > CROSSED and self._close.factor > USUAL:
                 continue  # points so near are not worth a leader across the drawing
             view = self._view(spot.lens.radius)
