@@ -262,11 +262,11 @@ def test_a_rate_stands_in_its_row_until_another_one_takes_its_place():
     assert isinstance(stage, Stage)
     names = [f"{step.panel.name}:{step.stroke.name}" for step in lesson.steps]
     given, found = (names.index(f"acceleration:{n}.tangential") for n in ("AB", "DQ"))
-    assert rates(stage, done(given), 1.0) == ["ω2 = 10 rad/s", "ω4 = 2.820 rad/s"]
-    assert rates(stage, drawing(given), 0.5) == ["α2 = 20 rad/s2", "ω4 = 2.820 rad/s"]
+    assert rates(stage, done(given), 1.0) == ["ω2 = 10 rad/s\xa0↺", "ω4 = 2.820 rad/s"]
+    assert rates(stage, drawing(given), 0.5) == ["α2 = 20 rad/s2\xa0↺", "ω4 = 2.820 rad/s"]
     for share, count in ((0.0, "ω4 ="), (1.0, "α4 =")):
         crank, lever = rates(stage, done(found + 1), share)
-        assert crank == "α2 = 20 rad/s2" and lever.startswith(count)
+        assert crank == "α2 = 20 rad/s2\xa0↺" and lever.startswith(count)
 
 
 def test_one_panel_has_no_stage():

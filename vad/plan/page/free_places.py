@@ -62,11 +62,15 @@ def bands(key: Plan, kept: Sequence[Item], blank: Collection[str]) -> list[Rect]
 
 
 def gaps(key: Plan, kept: Sequence[Item], blank: Collection[str]) -> Iterator[Rect]:
-    """Yield what is free in and below a panel that is drawn already, beside its strokes, too."""
+    """Yield what is free in and below a panel that is drawn already, beside its strokes, too.
+
+    Where all panels are left to be drawn, it is what is free in these.
+    """
     panels = key.page.panels
+    drawn = panels.keys() - blank
     boxes = [box for item in kept for mark in item.marks for box in _pieces(mark.shape)]
-    boxes += [place.drawing for name, place in panels.items() if name in blank]
-    for name in panels.keys() - blank:
+    boxes += [place.drawing for name, place in panels.items() if drawn and name in blank]
+    for name in drawn or panels:
         room = panels[name].drawing
         yield from _empty(replace(room, bottom=max(0.0, room.bottom - _BELOW)), boxes)
 

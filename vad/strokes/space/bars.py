@@ -114,7 +114,7 @@ class BarScript(Script):
             return (turning,)
         c, b = (self.motion.point(letter).velocity for letter in "CB")
         speed = magnitude(c - b if key == "coupler" else c)
-        return turning, Cell("bc" if key == "coupler" else "v_C", speed, self.unit(order))
+        return turning, Cell("v_CB" if key == "coupler" else "v_C", speed, self.unit(order))
 
     # --- the polygon --------------------------------------------------------------------------
 
