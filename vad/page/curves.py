@@ -61,8 +61,7 @@ def curves(
     for number, panel in enumerate(traced.panels):
         cells = (cell for row in traced.rows for cell in row.cells.get(panel.name, ()))
         results = {notation.unit(cell.unit) for cell in cells if not cell.given}
-        first = [value for value in columns[number] if value[3] in results]
-        columns[number] = first + [each for each in columns[number] if each not in first]
+        columns[number].sort(key=lambda value: value[3] not in results)
     names, tracks = list(board.traced.inputs), []
     for panel in traced.panels:
         found: list[list[Any]] = []

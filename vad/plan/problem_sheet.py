@@ -14,7 +14,7 @@ from itertools import chain
 
 from vad import gate
 from vad.errors import one_of
-from vad.plan.board import Plan, reach
+from vad.plan.board import Plan
 from vad.plan.geometry import Rect
 from vad.plan.items import (
     FOREVER,
@@ -27,6 +27,7 @@ from vad.plan.items import (
     in_painting_order,
 )
 from vad.plan.marks import Mark, Polyline
+from vad.plan.page.free_places import box_of
 from vad.plan.page.table import table
 from vad.plan.page.task import upon_problem
 from vad.plan.pictures.senses import senses_of
@@ -192,7 +193,7 @@ def _beside_poles(items: Sequence[Item], key: Plan, blank: Blank) -> Iterator[It
 
 def _close(letters: list[Mark], leader: Sequence[complex], room: Rect) -> Iterator[Mark]:
     """Yield letters beside the dot to which their leader runs, on its side of it."""
-    box = reach([Item("", "", Level.LABEL, tuple(letters))])
+    box = box_of(*letters)
     pole = max(leader, key=lambda end: abs(end - box.centre))
     way = box.centre - pole
     across, up = box.width / 2 + BESIDE_POLE, box.height / 2 + BESIDE_POLE

@@ -364,7 +364,7 @@ PHRASES = {
     "bodies line 23 velocity": (
         "∥ *OB* through {point}, {arc}° from *OI*, the axis of the coupler on the crank"
     ),
-    "bodies line 43 velocity": ("∥ *OC* through {point}, {arc}° from *OI*, its axis on the rocker"),
+    "bodies line 43 velocity": "∥ *OC* through {point}, {arc}° from *OI*, its axis on the rocker",
     "bodies line 24 acceleration": "∥ *OI* through {point}, for *α₄₂ₜ*",
     "bodies line 14 acceleration": "∥ *OD* through {point}, for *α₄*",
     "bodies line 23 acceleration": ("∥ *OB* through {point}, {arc}° from *OI*, for *α₃₂*"),

@@ -356,12 +356,12 @@ PHRASES = {
         "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
         "aussi dans ce plan."
     ),
-    "bodies line 24 velocity": ("∥ *OI* par {point}, axe du balancier par rapport à la manivelle"),
+    "bodies line 24 velocity": "∥ *OI* par {point}, axe du balancier par rapport à la manivelle",
     "bodies line 14 velocity": "∥ *OD* par {point}, son axe par rapport au bâti",
     "bodies line 23 velocity": (
         "∥ *OB* par {point}, à {arc}° de *OI*, axe de la bielle sur la manivelle"
     ),
-    "bodies line 43 velocity": ("∥ *OC* par {point}, à {arc}° de *OI*, son axe sur le balancier"),
+    "bodies line 43 velocity": "∥ *OC* par {point}, à {arc}° de *OI*, son axe sur le balancier",
     "bodies line 24 acceleration": "∥ *OI* par {point}, pour *α₄₂ₜ*",
     "bodies line 14 acceleration": "∥ *OD* par {point}, pour *α₄*",
     "bodies line 23 acceleration": "∥ *OB* par {point}, à {arc}° de *OI*, pour *α₃₂*",
@@ -529,8 +529,8 @@ PHRASES = {
         "∥ *OT* par {point}, car *ω₄₂* est dans les plans du croisillon et des arbres"
     ),
     "hooke line 14 velocity": "∥ l’arbre 4 par {point}, axe de la fourche 4",
-    "hooke line 23 velocity": ("∥ *OP* par {point}, axe du croisillon dans la fourche 2"),
-    "hooke line 43 velocity": ("∥ *OQ* par {point}, son axe dans la fourche 4"),
+    "hooke line 23 velocity": "∥ *OP* par {point}, axe du croisillon dans la fourche 2",
+    "hooke line 43 velocity": "∥ *OQ* par {point}, son axe dans la fourche 4",
     "hooke line 24 acceleration": "∥ *OT* par {point}, pour *α₄₂ₜ*",
     "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, pour *α₄*",
     "hooke fold": (

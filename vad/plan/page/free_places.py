@@ -80,9 +80,9 @@ def without(places: Sequence[Rect], taken: Rect) -> list[Rect]:
     return [_rest(place, taken) if meet(place, taken) else place for place in places]
 
 
-def box_of(mark: Mark) -> Rect:
-    """Return the box about a mark."""
-    return reach([Item("", "", Level.GROUND, (mark,))])
+def box_of(*marks: Mark) -> Rect:
+    """Return the box about marks."""
+    return reach([Item("", "", Level.GROUND, marks)])
 
 
 def meet(one: Rect, other: Rect) -> bool:
