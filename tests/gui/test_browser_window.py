@@ -319,6 +319,25 @@ def test_another_mechanism_is_an_entry_of_the_history(window: Page):
     still(window)
 
 
+#: Goes to another address, and changes what the address has before the page hears of it.
+_BETWEEN = """(hash) => new Promise((done) => {
+  const pushed = [], push = history.pushState;
+  history.pushState = (...given) => { pushed.push(given[2]); push.apply(history, given); };
+  addEventListener("hashchange", () => { history.pushState = push; done(pushed); }, { once: true });
+  location.hash = hash;
+  const { dataset } = document.querySelector(".window"), before = dataset.theme;
+  dataset.theme = "chalk";
+  setTimeout(() => { dataset.theme = before; });
+})"""
+
+
+def test_nothing_is_remembered_between_two_addresses(window: Page):
+    load(window, "four-bar")
+    assert window.evaluate(_BETWEEN, "#m=whitworth") == []
+    until(window, lambda: window.locator("h1").inner_text().startswith("Whitworth"))
+    still(window)
+
+
 def test_a_file_is_opened(window: Page, tmp_path: Path):
     load(window, "four-bar")
     text = example_path("toggle-press").read_text("utf-8").replace('"Toggle', '"My toggle')

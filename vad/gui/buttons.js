@@ -2,9 +2,13 @@
 
 const placeKey = (point) => point ? `assembly.${point}` : "assembly";
 
-// The address has all settings that differ from the defaults.
+// The address has all settings that differ from the defaults.  While the reader goes to another
+// address, by the browser's buttons or a link, nothing is written until it has been read: what was
+// written then would be a new entry of the history, and the entries after it would be lost.
+let addressed = location.hash;
 function remember() {
   if (location.protocol === "about:" || broken) return; // in a cell of a notebook there is none
+  if (location.hash !== addressed) return;
   const kept = new URLSearchParams({ m: set.mechanism });
   for (const { name, default: value } of settable()) {
     const own = group(name)[name];
@@ -19,6 +23,7 @@ function remember() {
   // Another mechanism is a new entry of the browser's history.
   const other = /^#m=([^&]*)/.exec(location.hash)?.[1], to = `${location.pathname}${location.search}#${kept}`;
   history[other && decodeURIComponent(other) !== set.mechanism ? "pushState" : "replaceState"](null, "", to);
+  addressed = location.hash;
 }
 
 async function recall(hash = location.hash) {
@@ -133,7 +138,8 @@ new MutationObserver(() => { if (stands()) remember(); }).observe(root, { attrib
 addEventListener("hashchange", async ({ newURL }) => {
   clearTimeout(writing);
   clearTimeout(timer);
-  if (!await recall(new URL(newURL).hash)) return;
+  addressed = new URL(newURL).hash;
+  if (!await recall(addressed)) return;
   standing &&= { ...standing, mechanism: null };
   want(true);
 });
