@@ -69,11 +69,14 @@ def _landed(item: Item) -> Item:
 
 
 def _key(item: Item) -> object:
-    """Return what an item has in common with its counterpart."""
+    """Return what an item has in common with its counterpart.
+
+    Both show during the move: what has flown to its place shows a beat later than in a still.
+    """
     place = item.region.rpartition(":")[2]
     forms = tuple((mark.role, mark.row, type(mark.shape)) for mark in item.marks)
     stays = item.marks if place.endswith(HEAD) else ()
-    return place, item.stroke, item.level, item.since, item.until, item.words, forms, stays
+    return place, item.stroke, item.level, item.words, forms, stays
 
 
 def _faded(marks: Iterable[Mark], share: float) -> tuple[Mark, ...]:
