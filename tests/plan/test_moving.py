@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import combinations
 
 import pytest
 
 import vad
+from tests.plan.test_marks import points
 from vad.lecture.moment import Moment, done
 from vad.lecture.scenes import scene_numbers
 from vad.painting.posed import board_of
 from vad.plan.board import seen
+from vad.plan.geometry import Rect
 from vad.plan.items import HEAD, Item
 from vad.plan.stage import Stage
+from vad.plan.ways import SLACK, Way, ways
 
 #: What of a polygon and of a mechanism must not stay behind.
 BODIES = ("vector", "whole", "bar", "dot", "joint")
@@ -48,3 +52,56 @@ def test_whole_polygons_move(name: str):
             counts.append(sorted(mark.role for mark in there if mark.alpha == 1.0))
         assert counts[0]
         assert all(each == counts[0] for each in counts), number
+
+
+@pytest.mark.parametrize("name", ["four-bar", "gate-actuator"])
+def test_polygons_keep_apart_while_they_move(name: str):
+    """The velocity polygon goes round the mechanism, and in the last move each goes its own way."""
+    stage = stage_of(name)
+    for number, shares in ((1, (0.2, 0.4, 0.6, 0.7)), (2, (0.3, 0.4, 0.5))):
+        for share in shares:
+            boxes = bodies(shown(stage, beats(stage)[number], number + share))
+            assert len(boxes) == number + 1
+            for (one, a), (other, b) in combinations(boxes.items(), 2):
+                wide = min(a.right, b.right) - max(a.left, b.left)
+                high = min(a.top, b.top) - max(a.bottom, b.bottom)
+                assert min(wide, high) < 0.0, (number, share, one, other)
+
+
+def bodies(items: list[Item]) -> dict[str, Rect]:
+    """Return the boxes about mechanism and polygons."""
+    found: dict[str, list[complex]] = {}
+    for item in items:
+        for mark in item.marks:
+            if mark.role in BODIES and mark.at(1.0):
+                found.setdefault(item.stroke.partition(":")[0], []).extend(points(mark))
+    return {
+        name: Rect(
+            min(z.real for z in places),
+            min(z.imag for z in places),
+            max(z.real for z in places),
+            max(z.imag for z in places),
+        )
+        for name, places in found.items()
+    }
+
+
+def test_a_panel_becomes_smaller_before_it_moves_and_moves_before_it_becomes_larger():
+    large, small = Rect(0.0, 0.0, 0.4, 0.4), Rect(0.8, 0.2, 0.9, 0.3)
+    for way, still in ((Way(large, small), 0.25), (Way(small, large), 0.75)):
+        middle = way.box(0.5)
+        assert middle.width < 0.2
+        place = (middle.centre - way.start.centre) / (way.end.centre - way.start.centre)
+        assert place == pytest.approx(still)
+        assert way.box(0.0) == way.start
+        assert way.box(1.0) == way.end
+
+
+def test_panels_that_change_places_go_round_each_other_and_stay_above_the_texts():
+    left, right = Rect(0.0, 0.3, 0.3, 0.6), Rect(0.8, 0.3, 1.1, 0.6)
+    area = Rect(0.0, 0.0, 1.2, 0.9)
+    found = ways({"one": (left, right), "other": (right, left)}, area)
+    one, other = found["one"].box(0.5), found["other"].box(0.5)
+    assert abs((one.centre - other.centre).imag) > 0.2
+    for way in found.values():
+        assert way.box(0.8).bottom > left.bottom - SLACK

@@ -1,21 +1,27 @@
 """A move: the items of one layout on their way to their places in another.
 
 The two layouts show the same panels, so most items have a counterpart: marks with the same role,
-the same ink and the same form.  Such a mark moves straight, and grows or shrinks on its way.  What
-is in one layout only fades, and so does the head of a panel: on its way it would cross another one.
+the same ink and the same form.  Such a mark grows or shrinks and moves with its panel
+(`vad.plan.ways`).  What is in one layout only fades, and so does the head of a panel: on its way it
+would cross another one.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from vad.plan.board import reach
+from vad.plan.geometry import Rect
 from vad.plan.items import HEAD, Item
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
+from vad.plan.ways import Way, ways
 
 #: Until this share of a move fades what goes, and from there on appears what comes.
 HALF = 0.5
+#: Ellipses whose axes and shapes differ by less are alike.
+SAME = 1e-9
 
 #: An item, and its counterpart in the other layout: None for what goes, or for what comes.
 Pair = tuple[Item | None, Item | None]
@@ -23,14 +29,25 @@ Pair = tuple[Item | None, Item | None]
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """The items of two layouts, each with its counterpart, in painting order."""
+    """The items of two layouts, each with its counterpart, in painting order.
+
+    The panels have ``ways`` of their own; all else moves straight.
+    """
 
     pairs: tuple[Pair, ...]
     region: str
+    ways: Mapping[str, Way]
 
     @classmethod
-    def between(cls, before: Sequence[Item], after: Sequence[Item], region: str) -> Move:
-        """Return the move from one layout to another, which takes place in a region."""
+    def between(
+        cls,
+        before: Sequence[Item],
+        after: Sequence[Item],
+        panels: Collection[str],
+        region: str,
+        area: Rect,
+    ) -> Move:
+        """Return the move of panels from one layout to another, in a region and its area."""
         before, after = ([_landed(item) for item in each] for each in (before, after))
         waiting: dict[object, list[Item]] = defaultdict(list)
         for item in after:
@@ -41,17 +58,18 @@ class Move:
             pairs.append((item, same.pop(0) if same else None))
         left = {id(item) for items in waiting.values() for item in items}
         pairs += [(None, item) for item in after if id(item) in left]
-        return cls(tuple(pairs), region)
+        return cls(tuple(pairs), region, _ways(pairs, panels, area))
 
     def at(self, share: float) -> list[Item]:
         """Return the items when ``share`` of the way is behind them."""
         found: list[Item] = []
         for one, other in self.pairs:
             if one and other:
+                way = self.ways.get(_place(one))
                 marks = [
                     mark
                     for pair in zip(one.marks, other.marks, strict=True)
-                    for mark in _between(*pair, share)
+                    for mark in _between(*pair, share, way)
                 ]
                 found.append(replace(other, region=self.region, marks=tuple(marks)))
             elif one and share < HALF:
@@ -59,6 +77,21 @@ class Move:
             elif other and share > HALF:
                 found.append(replace(other, region=self.region, marks=_faded(other.marks, share)))
         return found
+
+
+def _ways(pairs: Sequence[Pair], panels: Collection[str], area: Rect) -> dict[str, Way]:
+    """Return the ways of panels with something in both layouts."""
+    both: dict[str, tuple[list[Item], list[Item]]] = defaultdict(lambda: ([], []))
+    for one, other in pairs:
+        if one and other and _place(one) in panels:
+            both[_place(one)][0].append(one)
+            both[_place(one)][1].append(other)
+    return ways({name: (reach(one), reach(other)) for name, (one, other) in both.items()}, area)
+
+
+def _place(item: Item) -> str:
+    """Return the region of an item without the number of its scene."""
+    return item.region.rpartition(":")[2]
 
 
 def _landed(item: Item) -> Item:
@@ -73,7 +106,7 @@ def _key(item: Item) -> object:
 
     Both show during the move: what has flown to its place shows a beat later than in a still.
     """
-    place = item.region.rpartition(":")[2]
+    place = _place(item)
     forms = tuple((mark.role, mark.row, type(mark.shape)) for mark in item.marks)
     stays = item.marks if place.endswith(HEAD) else ()
     return place, item.stroke, item.level, item.words, forms, stays
@@ -85,16 +118,18 @@ def _faded(marks: Iterable[Mark], share: float) -> tuple[Mark, ...]:
     return tuple(replace(mark, alpha=ink * mark.alpha, growth=None) for mark in marks)
 
 
-def _between(one: Mark, other: Mark, share: float) -> Iterable[Mark]:
+def _between(one: Mark, other: Mark, share: float, way: Way | None) -> Iterable[Mark]:
     """Return a mark on its way; both of them, faded, where their forms differ."""
-    shape = between_shapes(one.shape, other.shape, share)
+    size, shift = (way.size(share), way.shift(share)) if way else (share, 0j)
+    shape = between_shapes(one.shape, other.shape, size)
     if shape is None:
         return _faded([one], 1 - share) if share < HALF else _faded([other], share)
     width, alpha = (
-        start + share * (end - start)
+        start + size * (end - start)
         for start, end in ((one.width, other.width), (one.alpha, other.alpha))
     )
-    return [replace(other, shape=shape, width=width, alpha=alpha, growth=None)]
+    moved = shape.mapped(1.0, shift)
+    return [replace(other, shape=moved, width=width, alpha=alpha, growth=None)]
 
 
 def between_shapes(one: Outline, other: Outline, share: float) -> Outline | None:
@@ -119,7 +154,7 @@ def between_shapes(one: Outline, other: Outline, share: float) -> Outline | None
             return Polygon(_along(starts, ends, share))
         case Disc(), Disc():
             return Disc(way(one.centre, other.centre), size(one.radius, other.radius))
-        case Bow(), Bow() if (one.axis, one.narrow) == (other.axis, other.narrow):
+        case Bow(), Bow() if abs(one.axis - other.axis) + abs(one.narrow - other.narrow) < SAME:
             return replace(
                 other,
                 centre=way(one.centre, other.centre),

@@ -2,7 +2,7 @@
 
 A lesson with several panels is a row of scenes (`vad.lecture.scenes`), each of them a `Plan` of the
 same sheet in a layout of its own.  After the last scene comes the sheet as it is drawn as a still.
-Between two of them every mark moves straight from its place in one to its place in the other
+Between two of them every panel moves from its place in one to its place in the other
 (`vad.plan.moving`).
 """
 
@@ -218,7 +218,9 @@ class Stage:
         if (number, beat) not in self._moves:
             before, after = (self.scene(each).shown(beat) for each in (number, number + 1))
             region = LAST_MOVE if number == self.count - 1 else MOVING
-            self._moves = {(number, beat): Move.between(before, after, region)}
+            panels = [panel.name for panel in self.sheet.panels]
+            area = region, self.regions[region]
+            self._moves = {(number, beat): Move.between(before, after, panels, *area)}
         return self._moves[number, beat]
 
     @cached_property
