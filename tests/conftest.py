@@ -1,7 +1,8 @@
 """What holds for all tests.
 
 A test that is marked ``exhaustive`` looks at many mechanisms or poses alike.  Usually one case in
-sixteen of it runs, or one in so many as the mark says, and hypothesis tries the same examples in
+sixteen of it runs, or one in so many as the mark says; of tests whose marks name the same ``of``,
+the same cases run, so that what they look at is made once.  Hypothesis tries the same examples in
 each run.  With ``--exhaustive``, as in ``.ci/nightly``, all cases run, and the examples are new.
 """
 
@@ -58,7 +59,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         begun.add(test)
         mark = item.get_closest_marker("exhaustive") if case else None
         one_in = 1 if mark is None else mark.args[0] if mark.args else ONE_IN
-        usual = first or crc32(item.nodeid.encode()) % one_in == 0
+        same = f"{mark.kwargs['of']}[{case}" if mark and "of" in mark.kwargs else item.nodeid
+        usual = first or crc32(same.encode()) % one_in == 0
         (kept if usual else left).append(item)
     config.hook.pytest_deselected(items=left)
     items[:] = kept

@@ -151,6 +151,7 @@ def on(place: Rect, mark: Mark) -> bool:
             return not apart(place, box(mark))
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("language", ["en", "de", "fr"])
 @pytest.mark.parametrize("page", [*PAGES, "upright"])
 @pytest.mark.parametrize("name", ["slider-crank", "four-bar", "whitworth"])

@@ -111,7 +111,7 @@ def test_what_python_sets_is_shown(cell):
     assert cell.window.motion.inputs["angle"] == 40
     cell.page.evaluate("asked", cell.window.asked)
     shown(cell, "40°")
-    until(cell.page, lambda: cell.window.pose["angle"] == 40)
+    until(cell.page, lambda: cell.window.pose.get("angle") == 40)
     assert cell.window.angle == 40
 
 

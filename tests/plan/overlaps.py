@@ -5,6 +5,7 @@ In comes a sheet as it would be painted, out go sentences, none if all is well.
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from itertools import combinations
 
 from vad.plan.board import Plan, plan
@@ -19,9 +20,19 @@ from vad.strokes.sheet import Sheet
 KEY = 0.058
 
 
+#: The newest plans by their sheet itself: tests that look at the same sheet make its plan once.
+_MADE: OrderedDict[tuple[int, tuple[int, int], bool], tuple[Sheet, Plan]] = OrderedDict()
+_KEPT = 64
+
+
 def planned(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False) -> Plan:
     """Return the plan of a sheet on a screen, with the keys of most styles."""
-    return plan(sheet, screen(size), KEY, lesson)
+    key = id(sheet), size, lesson  # of a sheet that is kept with its plan, so that no other has it
+    if key not in _MADE:
+        _MADE[key] = sheet, plan(sheet, screen(size), KEY, lesson)
+        if len(_MADE) > _KEPT:
+            _MADE.popitem(last=False)
+    return _MADE[key][1]
 
 
 def overlaps(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False) -> list[str]:

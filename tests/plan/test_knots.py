@@ -9,7 +9,7 @@ import pytest
 
 import vad
 from tests.plan.knots import counted
-from tests.plan.test_overlaps import RAMS, turn
+from tests.plan.test_overlaps import still
 from vad.files.examples import example_names, example_path
 
 #: How many pairs of points that look like one no lens tells apart, in all panels of one pose; half
@@ -19,12 +19,11 @@ PAIRS = 6
 CROWDED = {"beam-engine", "shaper"}
 
 
-@pytest.mark.exhaustive(16)
+@pytest.mark.exhaustive(24, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_points_that_look_like_one_are_told_apart(name: str, step: int):
-    mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))(**RAMS.get(name, {}))
-    for sheet in turn(mechanism, steps=12, some=[step]):
+    for sheet in still(name, step):
         found = counted(sheet)
         assert found["on"] == 0, found
         assert found["astray"] <= 1, found

@@ -12,7 +12,7 @@ import pytest
 import vad
 from tests.plan.knots import is_led
 from tests.plan.overlaps import overlaps, planned
-from tests.plan.test_overlaps import RAMS, turn
+from tests.plan.test_overlaps import still
 from vad.files.examples import example_names, example_path
 from vad.plan.board import Plan
 from vad.plan.items import FOREVER, Level
@@ -263,12 +263,11 @@ def test_a_page_without_such_a_place_has_no_lens(name: str):
     assert not any(sketch.lenses for sketch in planned(sheet).sketches.values())
 
 
-@pytest.mark.exhaustive(16)
+@pytest.mark.exhaustive(24, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_lenses_of_all_mechanisms(name: str, step: int):
-    mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))(**RAMS.get(name, {}))
-    for sheet in turn(mechanism, steps=12, some=[step]):
+    for sheet in still(name, step):
         size = (1024, 768) if step % 3 == 2 else (1280, 720)
         for sketch in planned(sheet, size).sketches.values():
             if sketch.lenses:

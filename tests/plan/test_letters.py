@@ -12,8 +12,8 @@ import vad
 from tests.plan.overlaps import planned
 from tests.plan.seen_letters import Fault, faults
 from tests.plan.sheets import slider_crank
-from tests.plan.test_overlaps import RAMS, turn
-from vad.files.examples import example_names, example_path
+from tests.plan.test_overlaps import still
+from vad.files.examples import example_names
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER
@@ -46,12 +46,11 @@ TOUCHED = {
 }
 
 
-@pytest.mark.exhaustive(24)
+@pytest.mark.exhaustive(24, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_letters_are_read_and_name_their_own_points(name: str, step: int):
-    mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))(**RAMS.get(name, {}))
-    for sheet in turn(mechanism, steps=12, some=[step]):
+    for sheet in still(name, step):
         found = list(faults(planned(sheet)))
         for kind in {fault.kind for fault in found}:
             these = [fault for fault in found if fault.kind == kind]
