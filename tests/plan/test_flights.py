@@ -247,6 +247,23 @@ def test_on_a_stage_vectors_leave_the_small_pictures(size):
     assert not flights(Stage(sheet, screen(size), KEY).scene(2))
 
 
+@pytest.mark.parametrize("kind", [vad.FourBar, vad.Whitworth, vad.HookeJoint])
+def test_a_stretched_vector_does_not_lie_on_the_rows_of_the_table(kind):
+    sheet = vad.draw(vad.solve(kind()))
+    stage, found = Stage(sheet, screen((1280, 720)), KEY, travels(sheet)), 0
+    for number in range(1, stage.count):
+        rows = stage.layout(number).work
+        for travel, item, marks in shafts(stage.scene(number)):
+            seconds = PHASES[travel.kind]
+            stretched = smooth(sum(seconds[:-1]) / (sum(seconds) + LANDED))
+            for shaft in (mark for mark in marks if mark.role in ("vector", "whole")):
+                tail, head = ends(shaft, stretched)
+                points = [tail + part / 20 * (head - tail) for part in range(21)]
+                assert not any(rows.holds(z) for z in points), item.stroke
+                found += 1
+    assert found > 1
+
+
 @pytest.mark.parametrize(
     "name", ["slider-crank", "whitworth with ram", "slotted lever with ram", "gate-actuator"]
 )
@@ -298,10 +315,8 @@ def test_a_flight_bends_to_the_side_on_which_it_crosses_less():
     assert crossings((0j, 1 - 1j, 2 + 0j), fence) == 0
     _, sheet = moving("slotted lever with ram")
     board, found = filmed(sheet), 0
-    own = {
-        name: Flight.of(name, t, board.sketches, 2 * (board.regions[FLIGHT],))
-        for name, t in travels(sheet).items()
-    }
+    edges = board.regions[FLIGHT], [each.setting.room for each in board.sketches.values()]
+    own = {name: Flight.of(name, t, board.sketches, edges) for name, t in travels(sheet).items()}
     for _, item, _ in shafts(board):
         flight = own[item.stroke]
         strokes = strokes_at(board.sketches.values(), flight.span)

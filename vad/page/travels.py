@@ -40,7 +40,7 @@ def page_flights(
     page = Rect(0.0, 0.0, board.form.width, board.form.height)
     found = {}
     for name, travel in (lesson.travels or {}).items():
-        flight = Flight.of(name, travel, board.sketches, (page, page))
+        flight = Flight.of(name, travel, board.sketches, (page, [page]))
         if flight is None:
             continue
         number, panel = numbers[name], flight.polygon.setting.panel

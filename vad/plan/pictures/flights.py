@@ -38,6 +38,8 @@ LIFT, ARCH = 0.04, 0.08
 SEEN = 0.09
 #: So far from the edges of the page all that flies ends.
 EDGE = 0.01
+#: A stretched vector may lie so far outside of the panels; so many parts of it are looked at.
+OUTSIDE, COVERED = 0.04, 16
 #: Into so many straight parts a phase is divided, which begins and ends gently.
 PARTS = 10
 
@@ -123,13 +125,7 @@ def travelling(
     ``items`` are those that a pencil would draw.
     """
     rooms = [sketch.setting.room for sketch in sketches.values()]
-    air = Rect(
-        min(room.left for room in rooms),
-        min(room.bottom for room in rooms),
-        max(room.right for room in rooms),
-        max(room.top for room in rooms),
-    )
-    edges = page.inside(EDGE), air
+    edges = page.inside(EDGE), rooms
     flights = (Flight.of(name, travel, sketches, edges) for name, travel in travels.items())
     own = {flight.stroke: flight for flight in flights if flight}
     strokes = {each: strokes_at(sketches.values(), flight.span) for each, flight in own.items()}
@@ -165,8 +161,8 @@ class Flight:
         The number of the stroke in its panel.
     source
         Where its tail and its head are in the panel that it leaves.
-    page, air
-        In which it stays; the rooms of all panels, in which it flies.
+    page, rooms
+        In which it stays; the rooms of all panels, over which it is stretched.
     """
 
     stroke: str
@@ -176,11 +172,15 @@ class Flight:
     index: int
     source: tuple[complex, complex]
     page: Rect
-    air: Rect
+    rooms: Sequence[Rect]
 
     @classmethod
     def of(
-        cls, stroke: str, travel: Travel, sketches: Mapping[str, Sketch], edges: tuple[Rect, Rect]
+        cls,
+        stroke: str,
+        travel: Travel,
+        sketches: Mapping[str, Sketch],
+        edges: tuple[Rect, Sequence[Rect]],
     ) -> Flight | None:
         """Return a travel on the page; None if a vector is no more than a point there."""
         panel, _, name = stroke.partition(":")
@@ -289,7 +289,7 @@ class Flight:
         In the last phase it rises by ``arch`` of its way to the left.
         """
         *before, stretched, last = self.stops(centre)
-        stops = [*before, self.within(self.air, centre, stretched), last]
+        stops = [*before, self.over_rooms(centre, stretched), last]
         seconds = PHASES[self.travel.kind]
         ends = list(accumulate(seconds, initial=0.0))
         yield stops[0]
@@ -306,6 +306,17 @@ class Flight:
                     one.degrees + share * (other.degrees - one.degrees),
                 )
                 yield self.within(self.page, centre, leg)
+
+    def over_rooms(self, centre: complex, leg: Leg) -> Leg:
+        """Return a leg at which the vector lies over panels, moved to its own one if need be.
+
+        Beside them stand the rows of the table, which it would cover.
+        """
+        tail, head = self.ends(centre, leg)
+        points = [tail + part / COVERED * (head - tail) for part in range(COVERED + 1)]
+        if all(any(room.holds(z, OUTSIDE) for room in self.rooms) for z in points):
+            return leg
+        return self.within(self.polygon.setting.room, centre, leg)
 
     def within(self, room: Rect, centre: complex, leg: Leg) -> Leg:
         """Return a leg at which the vector lies in a room, moved if need be."""

@@ -1,7 +1,7 @@
 """What shows the way of a flight: ghosts, a dotted path, and a ring where a head will dock.
 
 They are gone when the vector has landed.  The path bends to the side on which it crosses fewer
-strokes.
+strokes and labels.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from vad.plan.items import Span, together
+from vad.plan.items import Span
 from vad.plan.labels.obstacles import Complexes
 from vad.plan.marks import Fading, Mark, Polygon, disc, line
 from vad.plan.roles import ROLES, VECTOR
@@ -57,13 +57,17 @@ def _seen(share: float, landed: float) -> Fading:
 
 
 def strokes_at(sketches: Iterable[Sketch], span: Span) -> Complexes:
-    """Return the ends of all strokes that show at some time in a span, shape (strokes, 2)."""
-    found = [
-        (start, end)
-        for sketch in sketches
-        for start, end, _, own in sketch.obstacles.lines
-        if start != end and together(own, span)
-    ]
+    """Return the ends of all strokes that show at some time in a span, shape (strokes, 2).
+
+    A label is two strokes, from corner to corner.
+    """
+    found: list[tuple[complex, complex]] = []
+    for sketch in sketches:
+        shown = sketch.obstacles.during(span)
+        found += [(start, end) for start, end, _, _ in shown.lines if start != end]
+        for box, _ in shown.boxes:
+            found.append((complex(box.left, box.bottom), complex(box.right, box.top)))
+            found.append((complex(box.left, box.top), complex(box.right, box.bottom)))
     return np.array(found, dtype=np.complex128).reshape(-1, 2)
 
 
