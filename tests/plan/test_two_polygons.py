@@ -16,14 +16,17 @@ from vad.export.sheet_json import to_dict, to_text
 from vad.page.document import document
 from vad.plan.board import plan
 from vad.plan.format import screen
+from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER
+from vad.plan.layout import rooms
 from vad.plan.lettering.glyphs import CLOSE, typeset
 from vad.plan.lettering.runs import plain, roman, symbols
 from vad.plan.marks import Bow, Disc, Lettering, Polyline
 from vad.plan.multiples_board import MultiplesBoard
+from vad.plan.stage import Stage
 from vad.strokes.description import describe, title
 from vad.strokes.multiples import Multiples
-from vad.strokes.sheet import PolarInset
+from vad.strokes.sheet import Arrow, PolarInset
 
 FORM = screen((1280, 720))
 NAMES = [f"velocity:{s.name}" for s in UPPER] + [f"velocity.below:{s.name}" for s in LOWER]
@@ -54,8 +57,8 @@ def board():
 
 def test_each_half_has_a_scale_and_its_own_room(board):
     upper, lower = board.sketches["velocity"], board.sketches["velocity.below"]
-    one = upper.scale(FOUR).imag
-    assert min(one, upper.scale(UPPER[1].shape.end).imag) > lower.scale(A4).imag
+    one = upper.scale(FOUR).real
+    assert max(one, upper.scale(UPPER[1].shape.end).real) < lower.scale(A4).real
     assert upper.scale.factor != lower.scale.factor
     drawing = board.page.panels["velocity"].drawing
     for sketch, strokes in ((upper, UPPER), (lower, LOWER)):
@@ -167,8 +170,8 @@ def test_small_multiples_have_both_in_every_cell():
     )
     for found in several.sketches:
         assert found["velocity"].scale.factor != found["velocity.below"].scale.factor
-        low = found["velocity"].setting.room
-        assert low.bottom >= found["velocity.below"].setting.room.top - 1e-9
+        first, second = (found[name].setting.room for name in ("velocity", "velocity.below"))
+        assert first.bottom >= second.top - 1e-9 or first.right <= second.left + 1e-9
 
 
 def test_the_polar_inset_is_true_to_scale():
@@ -235,3 +238,22 @@ def test_cells_of_a_row_do_not_touch():
 
 def test_a_capital_stands_low_behind_a_stroke():
     assert [(run.text, run.script) for run in roman("s_D")] == [("s", 0), ("D", -1)]
+
+
+def test_in_a_wide_drawing_both_stand_side_by_side():
+    panel = sheet().panel("velocity")
+    (upper, one), (lower, other) = rooms(panel, Rect(0.0, 0.0, 1.0, 0.6), 0.04)
+    assert (upper, lower) == (panel, panel.below)
+    assert (one.left, one.right, other.left, other.right) == (0.0, 0.5, 0.5, 1.0)
+    assert {(each.bottom, each.top) for each in (one, other)} == {(0.0, 0.6)}
+
+
+def test_in_a_lecture_both_polygons_take_half_of_the_height():
+    stage = Stage(vad.draw(vad.solve(vad.SpatialFourBar())), FORM, 0.058)
+    sketches = stage.scene(1).sketches
+    drawing = stage.layout(1).page.panels["velocity"].drawing
+    for name in ("velocity", "velocity.below"):
+        shapes = [stroke.shape for stroke in sketches[name].setting.panel.strokes]
+        ends = [s.end for s in shapes if isinstance(s, Arrow)]
+        heights = [sketches[name].scale(z).imag for z in (0j, *ends)]
+        assert max(heights) - min(heights) > 0.5 * drawing.height

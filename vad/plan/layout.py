@@ -58,6 +58,8 @@ TOP_RULE = 0.115  # below the top
 TITLE_BASELINE = 0.075  # below the top
 #: Of the height: the room of the lower polygon, which bears its own scale.
 LOWER = 0.5
+#: In a drawing that is so many times as wide as it is high, two polygons stand side by side.
+WIDE = 1.3
 #: The labels below the upper polygon and above the lower one share so much of the height.
 OVERLAP = 0.045
 #: The most of a drawing that the circle of bodies takes: of its width beside the mechanism, of its
@@ -432,7 +434,8 @@ def _together(
 def rooms(panel: Panel, drawing: Rect, overlap: float = 0.0) -> list[tuple[Panel, Rect]]:
     """Return the halves of a panel with their rooms, which ``overlap`` where labels stand.
 
-    That of a mechanism leaves room for the circle of its bodies.
+    In a wide drawing they are side by side.  That of a mechanism leaves room for the circle of its
+    bodies.
     """
     if panel.below is None:
         circle = beside(panel, drawing)
@@ -441,6 +444,10 @@ def rooms(panel: Panel, drawing: Rect, overlap: float = 0.0) -> list[tuple[Panel
         if circle.left > drawing.left:
             return [(panel, replace(drawing, right=circle.left))]
         return [(panel, replace(drawing, bottom=circle.top))]
+    if drawing.width > WIDE * drawing.height:
+        middle = drawing.centre.real
+        first, second = replace(drawing, right=middle), replace(drawing, left=middle)
+        return [(panel, first), (panel.below, second)]
     split = drawing.bottom + LOWER * drawing.height
     upper = Rect(drawing.left, split - overlap / 2, drawing.right, drawing.top)
     lower = Rect(drawing.left, drawing.bottom, drawing.right, split + overlap / 2)

@@ -202,7 +202,8 @@ class MultiplesBoard:
         given = [_reading(cell, sheets[0].notation) for cell in self._given(name)]
         title = bold(roman(panel.title))
         if not self._aside:
-            yield from head(panel, place, scale, self.form.centimetre, sheets[0].notation)
+            upper = replace(panel, below=None)
+            yield from head(upper, place, scale, self.form.centimetre, sheets[0].notation)
             x = place.drawing.left + width(title, TITLE_SIZE) + GIVEN_GAP
             for reading in given:
                 yield Mark(Lettering(reading, complex(x, place.title), SCALE), "notes")

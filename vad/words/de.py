@@ -755,9 +755,9 @@ PHRASES = {
     ),
     # die unteren Polygone
     "spatial pole velocity": (
-        "Darunter *A* als Punkt der Schwinge; *A* und *D* des Gestells liegen im Pol."
+        "Nun *A* als Punkt der Schwinge; *A* und *D* des Gestells liegen im Pol."
     ),
-    "spatial pole acceleration": "Darunter wieder *A* als Punkt der Schwinge.",
+    "spatial pole acceleration": "Wieder *A* als Punkt der Schwinge.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich "
         "relativ zur Kurbel um *I*."

@@ -725,9 +725,9 @@ PHRASES = {
     ),
     # the lower polygons
     "spatial pole velocity": (
-        "Below, *A* as a point of the rocker; the fixed points *A* and *D* are at the pole."
+        "Now *A* as a point of the rocker; the fixed points *A* and *D* are at the pole."
     ),
-    "spatial pole acceleration": "Below, again *A* as a point of the rocker.",
+    "spatial pole acceleration": "Again, *A* as a point of the rocker.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I* "
         "relative to the crank."

@@ -740,9 +740,9 @@ PHRASES = {
     ),
     # les polygones du bas
     "spatial pole velocity": (
-        "Dessous, *A* comme point du balancier ; *A* et *D* du bâti sont au pôle."
+        "Maintenant *A* comme point du balancier ; *A* et *D* du bâti sont au pôle."
     ),
-    "spatial pole acceleration": "Dessous, encore *A* comme point du balancier.",
+    "spatial pole acceleration": "Encore *A* comme point du balancier.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI* : *A* tourne autour de "
         "*I* par rapport à la manivelle."

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from vad.errors import UsageError
 from vad.plan.items import Item, Level, foot_of
-from vad.plan.layout import Page, PanelPlace
+from vad.plan.layout import Page, PanelPlace, rooms
 from vad.plan.lettering.glyphs import fitted, width
 from vad.plan.lettering.runs import Runs, bold, roman, said, symbols
 from vad.plan.lettering.wrapping import wrap
@@ -65,11 +65,12 @@ def head(
     """Return the head of a panel; on paper it states what a centimetre stands for.
 
     Its title is no larger than ``most``.  Where there is no room for both, the title and the words
-    of the scale become smaller alike.
+    of the scale become smaller alike.  The scale is that of the first of two polygons.
     """
     if scale.bare:
         return _head(panel, place, most)
-    left, right = place.drawing.left, place.drawing.right
+    first = rooms(panel, place.drawing)[0][1] if panel.below else place.drawing
+    left, right = first.left, first.right
     title = bold(roman(panel.title))
     room = right - left - width(title, TITLE) - APART
     length, runs = stated(panel, scale, room, centimetre, notation)
