@@ -22,6 +22,8 @@ STRAIGHT = 0.05
 MOMENTS = tuple((number + 0.5) / 16 for number in range(16))
 #: From this moment on, what a panel may cross below the drawings is seen: so far it may go.
 TEXTS, SLACK = 0.75, 0.045
+#: So often every two panels look for better ways, while the others keep theirs.
+ROUNDS = 2
 #: A panel whose middle moves less stays where it is.
 STILL = 0.02
 #: A panel moves before or after it changes its size if that changes by this factor at least.
@@ -93,9 +95,15 @@ def ways(boxes: Mapping[str, tuple[Rect, Rect]], area: Rect) -> dict[str, Way]:
         aside = sum(abs(way.bend) for way in found)
         return STRAIGHT * aside + sum(met[pair] for pair in combinations(found, 2))
 
-    every: list[tuple[Way, ...]] = list(product(*choices))
-    best = min(every, key=cost)
-    return dict(zip(boxes, best, strict=True))
+    found = [next(iter(each)) for each in choices]
+    for (i, one), (j, other) in list(combinations(enumerate(choices), 2)) * ROUNDS:
+        pairs = [_exchanged(found, {i: a, j: b}) for a, b in product(one, other)]
+        found = min([found, *pairs], key=cost)
+    return dict(zip(boxes, found, strict=True))
+
+
+def _exchanged(found: Sequence[Way], new: Mapping[int, Way]) -> list[Way]:
+    return [new.get(number, way) for number, way in enumerate(found)]
 
 
 def _choices(way: Way, area: Rect, low: float) -> dict[Way, list[Rect]]:
