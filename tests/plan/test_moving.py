@@ -15,6 +15,7 @@ from vad.painting.posed import board_of
 from vad.plan.board import seen
 from vad.plan.geometry import Rect
 from vad.plan.items import HEAD, Item
+from vad.plan.marks import Lettering
 from vad.plan.stage import Stage
 from vad.plan.ways import SLACK, Way, ways
 
@@ -95,6 +96,40 @@ def test_a_panel_becomes_smaller_before_it_moves_and_moves_before_it_becomes_lar
         assert place == pytest.approx(still)
         assert way.box(0.0) == way.start
         assert way.box(1.0) == way.end
+
+
+def test_what_is_in_one_layout_only_keeps_its_place_in_its_panel():
+    way = Way(Rect(0.0, 0.0, 0.4, 0.4), Rect(0.8, 0.2, 0.9, 0.3), -0.1)
+    for from_start, home, ends in ((True, way.start, 0.0), (False, way.end, 1.0)):
+        assert way.carried(ends, from_start) == (pytest.approx(1.0), pytest.approx(0j))
+        for share in (0.2, 0.7):
+            factor, shift = way.carried(share, from_start)
+            box, mapped = way.box(share), home.mapped(factor, shift)
+            assert (box.left, box.bottom) == pytest.approx((mapped.left, mapped.bottom))
+            assert (box.right, box.top) == pytest.approx((mapped.right, mapped.top))
+
+
+def test_no_row_crosses_another_one_while_panels_move():
+    """A term or a row stands where it does in one of the two scenes."""
+    stage = stage_of("hooke-joint")
+    for number, beat in enumerate(beats(stage)[:-1]):
+        before, after = (texts(stage, beat, number + end) for end in (0, 1))
+        for share in (0.2, 0.8):
+            between = texts(stage, beat, number + share)
+            assert between <= before | after
+            assert between
+
+
+def texts(stage: Stage, beat: int, scene: float) -> set[tuple[str, complex]]:
+    """Return all words beside the large panel and below the thumbnails, and where they begin."""
+    work = stage.layout(0).work
+    marks = [mark for item in shown(stage, beat, scene) for mark in item.marks if mark.at(1.0)]
+    shapes = [mark.shape for mark in marks if mark.role in ("words", "term", "notes", "pale term")]
+    return {
+        ("".join(run.text for run in each.runs), each.at)
+        for each in shapes
+        if isinstance(each, Lettering) and work.holds(each.at) and each.at.imag > work.bottom
+    }
 
 
 def test_panels_that_change_places_go_round_each_other_and_stay_above_the_texts():

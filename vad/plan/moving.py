@@ -2,8 +2,8 @@
 
 The two layouts show the same panels, so most items have a counterpart: marks with the same role,
 the same ink and the same form.  Such a mark grows or shrinks and moves with its panel
-(`vad.plan.ways`).  What is in one layout only fades, and so does the head of a panel: on its way it
-would cross another one.
+(`vad.plan.ways`).  What is in one layout only fades on its way, and the head of a panel, a term or
+a row that changes its place fades where it is: on its way it would cross another one.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from vad.plan.board import reach
 from vad.plan.geometry import Rect
 from vad.plan.items import HEAD, Item
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
+from vad.plan.scene_layout import WORK
 from vad.plan.ways import Way, ways
 
 #: Until this share of a move fades what goes, and from there on appears what comes.
@@ -66,17 +67,27 @@ class Move:
         for one, other in self.pairs:
             if one and other:
                 way = self.ways.get(_place(one))
-                marks = [
+                marks = tuple(
                     mark
                     for pair in zip(one.marks, other.marks, strict=True)
                     for mark in _between(*pair, share, way)
-                ]
-                found.append(replace(other, region=self.region, marks=tuple(marks)))
+                )
+                found.append(replace(other, region=self.region, marks=marks))
             elif one and share < HALF:
-                found.append(replace(one, region=self.region, marks=_faded(one.marks, 1 - share)))
+                marks = _faded(self._carried(one, share, from_start=True), 1 - share)
+                found.append(replace(one, region=self.region, marks=marks))
             elif other and share > HALF:
-                found.append(replace(other, region=self.region, marks=_faded(other.marks, share)))
+                marks = _faded(self._carried(other, share, from_start=False), share)
+                found.append(replace(other, region=self.region, marks=marks))
         return found
+
+    def _carried(self, item: Item, share: float, from_start: bool) -> Sequence[Mark]:
+        """Return the marks of an item of one layout where its panel carries them."""
+        way = self.ways.get(_place(item))
+        if way is None:
+            return item.marks
+        factor, shift = way.carried(share, from_start)
+        return [mark.mapped(factor, shift) for mark in item.marks]
 
 
 def _ways(pairs: Sequence[Pair], panels: Collection[str], area: Rect) -> dict[str, Way]:
@@ -108,7 +119,7 @@ def _key(item: Item) -> object:
     """
     place = _place(item)
     forms = tuple((mark.role, mark.row, type(mark.shape)) for mark in item.marks)
-    stays = item.marks if place.endswith(HEAD) else ()
+    stays = item.marks if place.endswith(HEAD) or place == WORK else ()
     return place, item.stroke, item.level, item.words, forms, stays
 
 

@@ -63,6 +63,13 @@ class Way:
             aside = 6.75 * share * (1.0 - share) ** 2
         return (self._gone(share) - self.size(share)) * way + aside * self.bend * 1j
 
+    def carried(self, share: float, from_start: bool) -> tuple[float, complex]:
+        """Return factor and shift of what one layout only has: it keeps its place in the panel."""
+        factor = 1.0 + self.size(share) * (self._factor - 1.0)
+        home = self.start if from_start else self.end
+        factor /= 1.0 if from_start else self._factor
+        return factor, self.box(share).centre - factor * home.centre
+
     def box(self, share: float) -> Rect:
         """Return the box about all that it shows."""
         size = self.size(share)
