@@ -41,6 +41,7 @@ class Obstacles:
     lines: list[tuple[complex, complex, float, Span]] = field(default_factory=list)
     boxes: list[tuple[Rect, Span]] = field(default_factory=list)
     _kept: _Strokes | None = field(default=None, init=False, repr=False, compare=False)
+    _edges: Reals | None = field(default=None, init=False, repr=False, compare=False)
     # Of each line its middle, the way from there to its end, that in x and in y, its half width.
     _halved: list[tuple[float, float, complex, float, float, float]] = field(
         default_factory=list, init=False, repr=False, compare=False
@@ -97,8 +98,7 @@ class Obstacles:
         free &= (y - half_y >= edge.bottom) & (y + half_y <= edge.top)
         aside, above = wide / 2 + max(grow, apart.real), high / 2 + max(grow, apart.imag)
         if self.boxes:
-            edges = [(box.left, box.bottom, box.right, box.top) for box, _ in self.boxes]
-            left, bottom, right, top = np.array(edges).T[:, :, None]
+            left, bottom, right, top = self._sides()[:, :, None]
             past = (x - aside >= right) | (x + aside <= left)
             past |= (y - above >= top) | (y + above <= bottom)
             free &= past.all(axis=0)
@@ -157,6 +157,13 @@ class Obstacles:
             self._kept = _Strokes.between(_near(starts), _near(ends), np.array(halves))
         return self._kept
 
+    def _sides(self) -> Reals:
+        """Return the left, lower, right and upper sides of all boxes, as they are kept."""
+        if self._edges is None or self._edges.shape[1] != len(self.boxes):
+            sides = [(box.left, box.bottom, box.right, box.top) for box, _ in self.boxes]
+            self._edges = np.array(sides, dtype=np.float64).reshape(-1, 4).T
+        return self._edges
+
     def near(self, box: Rect) -> Obstacles:
         """Return only the obstacles that reach into a box."""
         if not self.lines:
@@ -176,9 +183,15 @@ class Obstacles:
         return float(self.all_covered([start], [end])[0])
 
     def all_covered(
-        self, starts: Sequence[complex] | Complexes, ends: Sequence[complex] | Complexes
+        self,
+        starts: Sequence[complex] | Complexes,
+        ends: Sequence[complex] | Complexes,
+        labels: bool = True,
     ) -> Reals:
-        """Return how much of each leader, given by its ends, would lie on strokes."""
+        """Return how much of each leader, given by its ends, would lie on strokes.
+
+        Without ``labels`` it is known that none of them meets a box.
+        """
         at = np.asarray(starts, dtype=np.complex128)
         ways = np.asarray(ends, dtype=np.complex128) - at
         long = np.abs(ways)
@@ -187,14 +200,15 @@ class Obstacles:
         before = np.cumsum(steps - 1) - (steps - 1)
         share = np.arange(1, len(number) + 1) - before[number]
         centres: Complexes = at[number] + ways[number] * share / steps[number]
-        lies_on = ~Obstacles(self.edge, [], self.boxes).free(centres, 0.0, 0.0, PIXEL)
+        boxes = self.boxes if labels else []
+        lies_on = ~Obstacles(self.edge, [], boxes).free(centres, 0.0, 0.0, PIXEL)
         if self.lines:
-            first, last = _met_between(at, ways, PIXEL, self._strokes())
-            first = np.ceil(np.clip(first * steps[:, None], 1.0, steps[:, None]))
-            last = np.floor(np.clip(last * steps[:, None], 0.0, steps[:, None] - 1.0))
-            met = np.nonzero(first <= last)
-            begun = before[met[0]] + first[met].astype(np.intp) - 1
-            ended = before[met[0]] + last[met].astype(np.intp)
+            row, first, last = _met_between(at, ways, PIXEL, self._strokes())
+            first = np.ceil(np.clip(first * steps[row], 1.0, steps[row]))
+            last = np.floor(np.clip(last * steps[row], 0.0, steps[row] - 1.0))
+            met = first <= last
+            begun = before[row[met]] + first[met].astype(np.intp) - 1
+            ended = before[row[met]] + last[met].astype(np.intp)
             count = len(number) + 1
             begun, ended = (np.bincount(each, minlength=count) for each in (begun, ended))
             lies_on |= np.cumsum(begun - ended)[:-1] > 0
@@ -205,12 +219,11 @@ class Obstacles:
         self, lines: Sequence[tuple[complex, complex]] | Complexes, half_width: float
     ) -> Bools:
         """Tell for each straight stroke, given by its ends, whether it would meet no box."""
-        at = np.array([box.centre for box, _ in self.boxes], dtype=np.complex128)
-        wide = np.array([box.width / 2 for box, _ in self.boxes])
-        high = np.array([box.height / 2 for box, _ in self.boxes])
+        left, bottom, right, top = self._sides()
+        at, wide, high = (left + right + 1j * (bottom + top)) / 2, right - left, top - bottom
         starts, ends = np.array(lines, dtype=np.complex128).reshape(-1, 2).T
         strokes = _Strokes.between(starts, ends, np.full(len(starts), half_width))
-        clear: Bools = ~np.logical_or.reduce(_meets(at, wide, high, strokes))
+        clear: Bools = ~np.logical_or.reduce(_meets(at, wide / 2, high / 2, strokes))
         return clear
 
 
@@ -244,38 +257,45 @@ def _meets(at: Complexes, half_x: float | Reals, half_y: float | Reals, strokes:
     stroke.
     """
     ways = strokes.ways
-    away = at[:, None] - strokes.middles
     aside = np.reshape(half_x, (-1, 1)) + strokes.halves
     above = np.reshape(half_y, (-1, 1)) + strokes.halves
     long, tall = np.abs(ways.real), np.abs(ways.imag)
-    across = np.abs(away.real * ways.imag - away.imag * ways.real)
-    meets: Bools = across <= aside * tall + above * long
-    meets &= np.abs(away.real) <= aside + long
-    meets &= np.abs(away.imag) <= above + tall
+    off_x = np.subtract.outer(at.real, strokes.middles.real)
+    off_y = np.subtract.outer(at.imag, strokes.middles.imag)
+    meets: Bools = np.abs(off_x) <= aside + long
+    meets &= np.abs(off_y) <= above + tall
+    row, column = np.nonzero(meets)  # few meet on both of the boxes' axes
+    aside, above = (each[row if len(each) == len(meets) else 0, column] for each in (aside, above))
+    across = np.abs(off_x[row, column] * ways.imag[column] - off_y[row, column] * ways.real[column])
+    meets[row, column] = across <= aside * tall[column] + above * long[column]
     return meets
 
 
 def _met_between(
     at: Complexes, ways: Complexes, half: float, strokes: _Strokes
-) -> tuple[Reals, Reals]:
-    """Return between which shares of its way a square that moves meets each stroke.
+) -> tuple[Integers, Reals, Reals]:
+    """Return between which shares of its way a square that moves meets a stroke.
 
-    There is a row for each way.  The axes are those of `_meets`: on each, the square is near enough
-    during one stretch.
+    Of each meeting there are the number of the way, and the two shares.  The axes are those of
+    `_meets`: on each, the square is near enough during one stretch.
     """
-    away = at[:, None] - strokes.middles
     long, tall = np.abs(strokes.ways.real), np.abs(strokes.ways.imag)
     near = half + strokes.halves
-    normal = 1j * strokes.ways.conjugate()
+    wide, high = (np.abs(part) / 2 + 2.0 * half for part in (ways.real, ways.imag))
+    row, column = np.nonzero(_meets(at + ways / 2, wide, high, strokes))  # others are far away
+    away, way, stroke = at[row] - strokes.middles[column], ways[row], strokes.ways[column]
+    near, long, tall = near[column], long[column], tall[column]
+    normal = 1j * stroke.conjugate()
     axes = (
-        (away.real, ways.real[:, None], near + long),
-        (away.imag, ways.imag[:, None], near + tall),
-        ((away * normal).real, (ways[:, None] * normal).real, near * (long + tall)),
+        (away.real, way.real, near + long),
+        (away.imag, way.imag, near + tall),
+        ((away * normal).real, (way * normal).real, near * (long + tall)),
     )
-    first, last = np.zeros(away.shape), np.ones(away.shape)
+    first, last = np.zeros(len(row)), np.ones(len(row))
     for off, rate, reach in axes:
         speed = np.where(np.abs(rate) < _STILL, _STILL, rate)
         middle, spread = -off / speed, (reach + _STILL) / np.abs(speed)
         first = np.maximum(first, middle - spread)
         last = np.minimum(last, middle + spread)
-    return first, last
+    met = first <= last
+    return row[met], first[met], last[met]

@@ -302,6 +302,8 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
     last = Placed(wish.around(GAP, 1)[0], wish.wide, wish.high, forced=True)
     through: Placed | None = None
     least, best = math.inf, None
+    alone = all(abs(rival - wish.at) > CLOSE_BY for rival in wish.rivals)
+    off = wish.radius + (OFF if alone else 0.0)
     for tight, far in _far(obstacles.edge, wish):
         if best and (tight or not best.doubt):
             return best
@@ -309,7 +311,7 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
         centres = [z for z in far if abs(z - wish.at) < DOUBTED] if best else far
         tried, at_once = 0, len(centres) if best else _AT_ONCE
         for some in _free_of(obstacles, wish, centres, clear, apart, at_once):
-            led = [_led(wish, spot) for spot in some[~_strange(some, wish)].tolist()]
+            led = [_led(wish, spot, off) for spot in some[~_strange(some, wish)].tolist()]
             if not led:
                 continue
             ends = np.array([each.leader or (wish.at, wish.at) for each in led])
@@ -325,7 +327,7 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
             if not (clear_of.all() or through):
                 through = replace(led[np.flatnonzero(kept)[clear_of.argmin()]], forced=True)
             kept[kept] = clear_of
-            covered = obstacles.all_covered(*ends[kept].T)
+            covered = obstacles.all_covered(ends[kept, 0], ends[kept, 1], labels=False)
             tried += len(covered)
             for number, over in zip(np.flatnonzero(kept).tolist(), covered.tolist(), strict=True):
                 spot = led[number]
@@ -430,8 +432,8 @@ def distance(box: Rect, point: complex) -> float:
     return math.hypot(aside, above)
 
 
-def _led(wish: Wish, centre: complex) -> Placed:
-    """Return a label with a leader from the dot's rim to its box, if that is not close by."""
+def _led(wish: Wish, centre: complex, off: float) -> Placed:
+    """Return a label with a leader from so far ``off`` the dot to its box, if not close by."""
     at, half_x, half_y = wish.at, wish.wide / 2, wish.high / 2
     nearest = complex(
         min(max(at.real, centre.real - half_x), centre.real + half_x),
@@ -441,9 +443,7 @@ def _led(wish: Wish, centre: complex) -> Placed:
     if abs(nearest - at) < wish.radius + 0.025 and belongs(bare.box, at, wish.rivals):
         return bare
     way = (nearest - at) / abs(nearest - at)
-    alone = all(abs(rival - at) > CLOSE_BY for rival in wish.rivals)
-    start = at + way * (wish.radius + (OFF if alone else 0.0))
-    return Placed(centre, wish.wide, wish.high, (start, nearest - way * 0.005))
+    return Placed(centre, wish.wide, wish.high, (at + way * off, nearest - way * 0.005))
 
 
 def _settle(obstacles: Obstacles, placed: Placed, span: Span) -> None:
