@@ -301,6 +301,33 @@ def _of_angles(sketch: Sketch) -> Iterator[tuple[str, str]]:
             yield "value far from arc", stroke.label
 
 
+def links_across(sketch: Sketch) -> Iterator[int]:
+    """Yield how many times links other than its own cross the circle part of each angle."""
+    panel, rows = sketch.setting.panel, sketch.setting.sheet.rows
+    for stroke in panel.strokes:
+        bows = [
+            mark.shape
+            for item in sketch.items
+            for mark in item.marks
+            if item.stroke == panel.full(stroke.name) and isinstance(mark.shape, Bow)
+        ]
+        if stroke.kind == "angle" and isinstance(stroke.shape, Arc) and bows:
+            whole = replace(bows[0], start=stroke.shape.start, sweep=stroke.shape.sweep)
+            others = [number for number, row in enumerate(rows) if row.key != stroke.link]
+            bars = [bar for number in others for bar in bars_of(sketch, number)]
+            yield sum(_times_across(whole.line(1.0), bar) for bar in bars)
+
+
+def _times_across(line: list[complex], bar: Bar) -> int:
+    """Return how many times a line crosses a bar."""
+    start, end = bar
+    seen = [(z - start) / (end - start) for z in line if start != end]
+    steps = [
+        (one + other) / 2 for one, other in itertools.pairwise(seen) if one.imag * other.imag < 0.0
+    ]
+    return sum(0.0 < step.real < 1.0 for step in steps)
+
+
 def _on_circle(
     line: tuple[complex, complex, float, object], centre: complex, radius: float
 ) -> bool:

@@ -12,7 +12,7 @@ import pytest
 
 import vad
 from tests.plan.seen_senses import arrows as seen
-from tests.plan.seen_senses import faults, turns_told
+from tests.plan.seen_senses import faults, links_across, turns_told
 from tests.plan.test_table import ink_box
 from vad.files.examples import example_names, example_path
 from vad.plan.board import Plan, plan
@@ -253,6 +253,21 @@ def in_space(board: Plan) -> dict[str, tuple[float | complex, Item]]:
         [text] = [shape for shape in shapes if isinstance(shape, Lettering)]
         found[plain(text.runs).removeprefix(", ")] = sense, item
     return found
+
+
+@pytest.mark.parametrize(
+    ("name", "angle", "crossed"),
+    [("hoeken", 210.0, 0), ("oscillating-cylinder", 300.0, 0), ("offset-lever", 210.0, 0)],
+)
+def test_the_arc_of_an_angle_runs_between_its_pivot_and_the_links_about_it(name, angle, crossed):
+    board = drawn(vad.load(example_path(name))(), angle=angle)
+    assert [*links_across(board.sketches["position"])] == [crossed]
+
+
+def test_a_small_angle_keeps_an_arc_that_is_long_enough():
+    items = drawn(vad.CrankSlottedLever()).items
+    bows = [mark.shape for item in items for mark in item.marks if mark.role == "angle"]
+    assert sum(bow.length for bow in bows if isinstance(bow, Bow)) > 36.0 / 720.0
 
 
 @pytest.mark.parametrize(("omega", "alpha"), [(10.0, 20.0), (-6.0, 15.0)])

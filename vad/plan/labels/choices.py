@@ -84,7 +84,7 @@ class PlacedLabels:
         """Add a value; see `LabelChoice`."""
         stroke = sketch.setting.panel.strokes[index]
         runs = roman(stroke.label)
-        placed, size = _beside_arc(arc, runs, sketch.obstacles)
+        placed, size = beside_arc(arc, runs, sketch.obstacles)
         sketch.obstacles.box(placed.box)
         sketch.tags.append(Tag(stroke.label, placed.box))
         centre = Anchor.of(stroke.name, "centre")
@@ -103,7 +103,7 @@ class PlacedLabels:
 PLACED = PlacedLabels()
 
 
-def _beside_arc(arc: Bow, runs: Runs, obstacles: Obstacles) -> tuple[Placed, float]:
+def beside_arc(arc: Bow, runs: Runs, obstacles: Obstacles) -> tuple[Placed, float]:
     """Return the best place for the value of an angle, and its size.
 
     It is outside of the arc, or else inside, and smaller if need be.

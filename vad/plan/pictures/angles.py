@@ -1,4 +1,4 @@
-"""Angles and given rates: the arc of an angle, and the arrows of a given ω or v.
+"""Given rates: the arrows of a given ω or v.
 
 Each arrow gets a place at which it meets nothing that is drawn already.
 """
@@ -15,7 +15,7 @@ from functools import partial
 import numpy as np
 
 from vad.kinematics.numbers import direction, fold
-from vad.plan.anchors import RIGHT, Anchor, AngleArc, Arch, Area, Hung, Solved, Term
+from vad.plan.anchors import RIGHT, Anchor, Arch, Area, Hung, Solved, Term
 from vad.plan.items import Level
 from vad.plan.labels.choices import RATE, MovingLabels
 from vad.plan.labels.obstacles import Obstacles
@@ -23,27 +23,13 @@ from vad.plan.labels.placing import APART, CLEARANCE, Placed, beside, beyond_cir
 from vad.plan.labels.vertices import text_beside
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
-from vad.plan.marks import Bow, Mark, Trimming, area
+from vad.plan.marks import Bow, Mark, area
 from vad.plan.pictures import machine
 from vad.plan.pictures.sense_places import Bar, distances
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH, Vector
-from vad.plan.reach import is_yoke
-from vad.plan.roles import ROLES
-from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arc, Arrow, Panel, Stroke
+from vad.strokes.sheet import Arc, Arrow, Stroke
 
-RADIUS = 0.088
-SHARE_OF_CRANK = 0.9
-SHARE_IN_YOKE = 0.6  # where slot and block hide what is farther out
-#: An arc that touches other strokes may be smaller; near its ends it meets its own.
-SMALLER_ARCS, SMALLEST_ARC, ENDS = (0.88, 0.76), 0.058, 0.012
-#: Larger ones are tried where it is left in crumbs: in more parts, or a smaller share.
-LARGER_ARCS, MOST_PARTS, LEAST_LEFT = (1.14, 1.3, 1.5), 3, 0.65
-OFF_STROKES = 0.005
-#: Of an arc that is interrupted: from a stroke to its parts, the shortest of them, and the angle in
-#: degrees between the places that are looked at.
-GAP, LEAST_PART, STEP = 0.006, 0.018, 1.5
 SENSE_SIZES = (  # radius and span, the best first
     (0.062, 78.0),
     (0.074, 78.0),
@@ -60,8 +46,6 @@ SENSE_SIZES = (  # radius and span, the best first
 WIDER = ((0.135, 38.0), (0.150, 34.0), (0.170, 30.0))
 SENSE_LEAD = 63.0
 SENSE_HEAD = 0.018
-LINE = ROLES["angle"].width
-PIECES = 12  # of an arc that the driver sweeps
 CLEAR = 0.010  # about an arrow that stands still while the driver moves
 SPEED_LENGTH = 0.072
 SPEED_CLEAR = 0.009  # to either side of the arrow
@@ -70,127 +54,6 @@ SPEED_PLACES = sorted(
     itertools.product((0.016, 0.026, 0.040, 0.056), [0.015 * step for step in range(-10, 11)]),
     key=lambda place: place[0] + 0.5 * abs(place[1]),
 )
-
-
-def angle_arcs(sketch: Sketch) -> list[tuple[int, Hung]]:
-    """Return the arcs of angles with the numbers of their strokes, of which labels keep clear."""
-    panel, found = sketch.setting.panel, []
-    for index, stroke in enumerate(panel.strokes):
-        if stroke.kind == "angle" and isinstance(stroke.shape, Arc):
-            most = _largest(panel, stroke.shape, sketch.scale)
-            arc = AngleArc(stroke.name, min(RADIUS, most), sketch.setting.room)
-            if not sketch.finished:
-                arc = _clear_arc(sketch, arc, most)
-            found.append((index, Hung(arc, "angle", growth=Trimming())))
-            bow = arc.posed(sketch.solved)
-            # While it is turned by hand, the arc has as many pieces in every pose.
-            step = abs(float(bow.sweep)) / PIECES if sketch.finished and bow.sweep else 8.0
-            sketch.obstacles.line(bow.line(step), LINE / 2)
-    return found
-
-
-def _largest(panel: Panel, shape: Arc, scale: Scale) -> float:
-    """Return the radius up to which the arc of an angle lies beside its crank."""
-    yoke = any(is_yoke(panel, other.link) for other in panel.strokes)
-    share = SHARE_IN_YOKE if yoke else SHARE_OF_CRANK
-    return share * shape.radius * scale.factor
-
-
-def _clear_arc(sketch: Sketch, arc: AngleArc, most: float) -> AngleArc:
-    """Return the arc of an angle, smaller if it then crosses less of what is drawn.
-
-    One that is left in crumbs has another radius, of at ``most`` so much, if there is one at which
-    it is not.
-    """
-
-    def crossed(each: AngleArc) -> int:
-        line = each.posed(sketch.solved).line()
-        inner = [z for z in line if min(abs(z - line[0]), abs(z - line[-1])) > ENDS]
-        return int((~sketch.obstacles.free(inner, 0.0, 0.0, OFF_STROKES)).sum()) if inner else 0
-
-    def whole(each: AngleArc) -> bool:
-        bow = each.posed(sketch.solved)
-        return not _in_crumbs(_parts(sketch.obstacles, bow))
-
-    smaller, larger = (
-        [replace(arc, radius=share * arc.radius) for share in shares]
-        for shares in (SMALLER_ARCS, LARGER_ARCS)
-    )
-    usual = [arc, *(each for each in smaller if each.radius >= SMALLEST_ARC)]
-    best = min(usual, key=crossed)
-    others = (*usual[1:], arc, *(each for each in larger if each.radius <= most))
-    return next((each for each in (best, *others) if whole(each)), best)
-
-
-def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
-    """Return obstacles, to which the arcs of the angles of a pose are added."""
-    found = obstacles.copy()
-    for shape in (stroke.shape for stroke in panel.strokes if stroke.kind == "angle"):
-        if isinstance(shape, Arc) and shape.sweep:
-            radius = min(RADIUS, _largest(panel, shape, scale))
-            found.line(Bow(scale(shape.centre), radius, shape.start, shape.sweep).line(), LINE / 2)
-    return found
-
-
-def interrupted(sketch: Sketch, arc: Hung) -> list[Hung]:
-    """Return the arc of an angle with gaps where it would cross what is drawn, but at its ends.
-
-    One that would be left in crumbs is whole, beneath the links.
-    """
-    whole, bow = arc.shape, bow_of(sketch, arc)
-    assert isinstance(whole, AngleArc)
-    parts = _parts(sketch.obstacles, bow)
-    if _in_crumbs(parts) or parts == [(0.0, 1.0)]:
-        return [arc]
-    return [
-        replace(
-            arc, shape=replace(whole, part=(low, high)), growth=Trimming(((low, 0.0), (high, 1.0)))
-        )
-        for low, high in parts
-    ]
-
-
-def _parts(obstacles: Obstacles, bow: Bow) -> list[tuple[float, float]]:
-    """Return the shares of an arc between which it crosses nothing, and both of its ends.
-
-    So all see where it begins and where it ends.
-    """
-    steps = max(2, math.ceil(abs(bow.sweep) / STEP))
-    turns = np.radians(bow.start + bow.sweep * np.linspace(0.0, 1.0, steps + 1))
-    spots = bow.centre + bow.radius * np.exp(1j * turns)
-    strokes = Obstacles(obstacles.edge.inside(-1.0))
-    strokes.lines = [each for each in obstacles.lines if not _is_own(each, bow)]
-    kept = strokes.free(spots.tolist(), 0.0, 0.0, GAP)
-    kept |= np.minimum(abs(spots - spots[0]), abs(spots - spots[-1])) < ENDS
-    runs = [[*run] for there, run in itertools.groupby(range(steps + 1), kept.__getitem__) if there]
-    parts = [(run[0] / steps, run[-1] / steps) for run in runs if len(run) > 1]
-    return [
-        (low, high)
-        for low, high in parts
-        if (high - low) * bow.length >= LEAST_PART or low == 0.0 or high == 1.0
-    ]
-
-
-def _in_crumbs(parts: Sequence[tuple[float, float]]) -> bool:
-    """Tell whether so little is left of an arc that it no longer reads as an angle."""
-    return len(parts) > MOST_PARTS or sum(high - low for low, high in parts) < LEAST_LEFT
-
-
-def _is_own(line: tuple[complex, complex, float, object], bow: Bow) -> bool:
-    """Tell whether a stroke is a part of an arc, or lies along the radius to one of its ends."""
-    ways = [end - bow.centre for end in line[:2]]
-    if all(abs(abs(way) - bow.radius) < 1e-6 for way in ways):
-        return True
-    arms = [direction(fold(turn)) for turn in (bow.start, bow.start + bow.sweep)]
-    seen = [[way * arm.conjugate() for way in ways] for arm in arms]
-    return any(all(abs(z.imag) < 1e-6 and z.real > -1e-6 for z in along) for along in seen)
-
-
-def bow_of(sketch: Sketch, arc: Hung) -> Bow:
-    """Return an arc in its place."""
-    bow = arc.shape.posed(sketch.solved)
-    assert isinstance(bow, Bow)
-    return bow
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,7 @@ from vad.plan.labels.choices import PLACED, LabelChoice, MovingLabels
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import Vertex, find_vertices, vertices_by_letter
 from vad.plan.pictures import angles, machine, supports
+from vad.plan.pictures.angle_arcs import angle_arcs, bow_of, interrupted, with_angles
 from vad.plan.pictures.constructions import (
     add_compass,
     add_compass_arc,
@@ -97,8 +98,9 @@ class Skeleton:
         vertices += self._named_guides(sketch)
         self._add_joints(sketch, vertices)
         supports.add_axes(sketch, vertices)
-        arcs = angles.angle_arcs(sketch)
-        self._add_pivots(sketch, vertices)
+        bare = sketch.obstacles.copy()
+        arcs = angle_arcs(sketch)
+        self._add_pivots(sketch, vertices, bare)
         for index, stroke in enumerate(panel.strokes):
             if not is_figure(stroke):
                 block_construction(sketch, index)
@@ -187,7 +189,7 @@ class Skeleton:
             self.scale(centre) for centre in map(angle_centre, self._poses) if centre is not None
         ]
         posed = zip(self.crowds, self._poses, strict=True)
-        crowds = [angles.with_angles(crowd, pose, self.scale) for crowd, pose in posed]
+        crowds = [with_angles(crowd, pose, self.scale) for crowd, pose in posed]
         return angles.calm_place(zip(centres, crowds, strict=True)) if centres else None
 
     @cached_property
@@ -216,7 +218,7 @@ class Skeleton:
         sketch = Sketch(setting, self.scale, obstacles, finished=True)
         self._add_strokes(sketch, alone=True)
         self._add_joints(sketch, vertices)
-        arcs = angles.angle_arcs(sketch)
+        arcs = angle_arcs(sketch)
         if arcs and self.sense:
             index = setting.panel.find(setting.sheet.driver.stroke)
             angle = setting.panel.strokes[arcs[0][0]]
@@ -286,16 +288,16 @@ class Skeleton:
         panel = sketch.setting.panel
         if not sketch.finished:  # a letter finds a place on any side of its dot
             for index, arc in arcs:
-                labels.angle(sketch, index, angles.bow_of(sketch, arc))
+                labels.angle(sketch, index, bow_of(sketch, arc))
         labels.vertices(sketch, vertices, self.radius, NEAR)
         for index, stroke in enumerate(panel.strokes):
             if is_load(stroke):
                 labels.vector(sketch, index, stroke.label)
         letter_figures(sketch, labels)
         for index, arc in arcs:
-            bow = angles.bow_of(sketch, arc)
+            bow = bow_of(sketch, arc)
             if abs(bow.sweep) > 1e-6:
-                shown = [arc] if sketch.finished else angles.interrupted(sketch, arc)
+                shown = [arc] if sketch.finished else interrupted(sketch, arc)
                 sketch.hang(index, Level.CONSTRUCTION, shown)
             if sketch.finished:
                 labels.angle(sketch, index, bow)
@@ -305,13 +307,18 @@ class Skeleton:
                     add_couple(sketch, index, *free_couple(sketch, index))
         angles.add_speed(sketch, self.size, self.posed if sketch.finished else ())
 
-    def _add_pivots(self, sketch: Sketch, vertices: Sequence[Vertex]) -> None:
-        """Add the fixed pivots of a still, and let labels keep clear of them."""
+    def _add_pivots(self, sketch: Sketch, vertices: Sequence[Vertex], bare: Obstacles) -> None:
+        """Add the fixed pivots of a still, and let labels keep clear of them.
+
+        They keep clear of the arcs of angles, which are not among the ``bare`` obstacles, if they
+        can.
+        """
         panel = sketch.setting.panel
         bars = list(self._bars(panel))
         for index, point in machine.fixed_points(panel):
             name, at = panel.strokes[index].name, self.scale(point)
-            foot = supports.foot_of(at, supports.bars_from(at, bars), sketch.obstacles, self.size)
+            crowds = (sketch.obstacles, bare)
+            foot = supports.foot_of(at, supports.bars_from(at, bars), crowds, self.size)
             here = [vertex for vertex in vertices if abs(vertex.at - at) < PIXEL]
             gap = any(abs(axis - foot.way) < 0.02 for vertex in here for axis in vertex.ways)
             sketch.put(index, supports.pivot(name, foot, gap))

@@ -98,20 +98,24 @@ class Foot:
     lean: float = 1.0
 
 
-def foot_of(at: complex, bars: Sequence[complex], obstacles: Obstacles, parts: float) -> Foot:
+def foot_of(
+    at: complex, bars: Sequence[complex], crowds: Sequence[Obstacles], parts: float
+) -> Foot:
     """Return how a fixed pivot stands in one pose: clear of its links, and down, if it can.
 
-    ``at`` is its apex, from which ``bars`` lead away; ``parts`` is the size of all parts.
+    ``at`` is its apex, from which ``bars`` lead away; ``parts`` is the size of all parts.  It is
+    clear of the first of some ``crowds``, or else of the next one.
     """
 
-    def clear(foot: Foot) -> bool:
+    def clear(foot: Foot, crowd: Obstacles) -> bool:
         offset, wide, high = _footprint(foot, parts)
         apart = _nearness(foot.way, bars) < 0.62
-        return apart and bool(obstacles.free([at + offset], wide, high, PIXEL)[0])
+        return apart and bool(crowd.free([at + offset], wide, high, PIXEL)[0])
 
     feet = [Foot(way, size) for size in (parts, CROWDED * parts) for way in WAYS]
     least = min(WAYS, key=lambda way: _nearness(way, bars))
-    foot = next(filter(clear, feet), Foot(least, CROWDED * parts))
+    clear_ones = (foot for crowd in crowds for foot in feet if clear(foot, crowd))
+    foot = next(clear_ones, Foot(least, CROWDED * parts))
     if foot.size == parts or not bars:
         return foot
     # Where there is little room, at least the ticks lean away from the link.

@@ -35,6 +35,7 @@ from vad.plan.lettering.runs import Runs
 from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Bow, Mark, Scaling, Trimming, lines
 from vad.plan.pictures import angles, machine
+from vad.plan.pictures.angle_arcs import LINE
 from vad.plan.pictures.constructions import (
     CompassArc,
     add_compass,
@@ -153,7 +154,7 @@ class Views:
         add_pins(sketch, vertices)
         arcs = angle_arcs(sketch, range(len(panel.strokes)))
         for _, _, bow in arcs:
-            sketch.obstacles.line(bow.line(), angles.LINE / 2)
+            sketch.obstacles.line(bow.line(), LINE / 2)
         labels.vertices(sketch, vertices, RADIUS, NEAR)
         add_angles(sketch, arcs, labels)
         add_names(sketch)
@@ -236,7 +237,7 @@ class Views:
             if panel.strokes[each[0]].name not in self._unmoved or is_symbolic(each[2].sweep)
         ]
         for _, _, bow in arcs:
-            sketch.obstacles.line(bow.line(), angles.LINE / 2)
+            sketch.obstacles.line(bow.line(), LINE / 2)
         self._add_sense(sketch)
         held = held_arc(panel, setting.sheet.driver)
         if held:
