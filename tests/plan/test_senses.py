@@ -270,6 +270,18 @@ def test_a_small_angle_keeps_an_arc_that_is_long_enough():
     assert sum(bow.length for bow in bows if isinstance(bow, Bow)) > 36.0 / 720.0
 
 
+@pytest.mark.parametrize(
+    ("mechanism", "symbol"), [(vad.DoubleSlider(), "v_A"), (vad.GateActuator(), "v")]
+)
+def test_the_given_speed_has_the_symbol_of_the_table(mechanism, symbol):
+    board = drawn(mechanism)
+    rows = [row for row in board.sheet.rows if row.key == board.sheet.driver.row]
+    cells = [cell for row in rows for cell in row.cells.get("velocity", ()) if cell.given]
+    assert [cell.symbol for cell in cells] == [symbol]
+    tags = [tag.text for tag in board.sketches["position"].tags]
+    assert [text for text in tags if text.startswith("v")] == [symbol]
+
+
 @pytest.mark.parametrize(("omega", "alpha"), [(10.0, 20.0), (-6.0, 15.0)])
 @pytest.mark.parametrize("name", ["hooke-joint", "rssr", "spherical-four-bar", "spatial-four-bar"])
 def test_rates_in_space_turn_about_their_axes_in_their_sense(name, omega, alpha):

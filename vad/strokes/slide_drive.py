@@ -15,7 +15,7 @@ from vad.kinematics.linkage import Bar
 from vad.kinematics.numbers import not_below
 from vad.strokes.arithmetic import Figure, total
 from vad.strokes.construct import construct
-from vad.strokes.diagram import Drawing
+from vad.strokes.diagram import VELOCITY, Drawing
 from vad.strokes.force_captions import NEWTON, ForceCaptions
 from vad.strokes.forces import bare
 from vad.strokes.player import Pencil, Player
@@ -285,13 +285,14 @@ class _SlideDrive:
 
     def _check(self) -> Stroke:
         """Draw the velocity beside the body, and check the drive by power."""
-        said = check_by_power(self.scene, SLIDING, "v")
+        symbol = self.scene.members.rate_symbol(self.slide.name, VELOCITY)
+        said = check_by_power(self.scene, SLIDING, symbol)
         speed = self.scene.speed(self.slide.name, 1)
         way = self.line if speed > 0.0 else -self.line
         at = self.scene.at(self.driver.joint.point) + 0.4j * LENGTH * self._size * self.line
         ahead = 0.5 * LENGTH * self._size * way
         shape, part = Arrow(at, at + (ahead if said else 0j), "", ""), StrokePart("v", "check")
-        return Stroke("known", "v", shape, said or "", None, "action", part=part)
+        return Stroke("known", symbol, shape, said or "", None, "action", part=part)
 
     # --- the polygon -----------------------------------------------------------------------------
 

@@ -301,7 +301,8 @@ def add_speed(sketch: Sketch, size: float, poses: Iterable[tuple[Solved, Obstacl
     sense = driver.speed / abs(driver.speed)  # no number at rest
     solved = sketch.solved
     way, place = solved.way(stroke.name), solved.place(middle) * abs(sense)
-    runs = symbols("v")
+    name = _speed_of(sketch)
+    runs = symbols(name)
     wide, high = ink_size(runs, RATE)
     places = [(half + aside, past, left) for aside, past in SPEED_PLACES for left in (1j, -1j)]
     met = np.zeros(len(places))
@@ -320,19 +321,32 @@ def add_speed(sketch: Sketch, size: float, poses: Iterable[tuple[Solved, Obstacl
         ahead = SPEED_LENGTH / 2 * sense * way
         start, end = at - ahead, at + ahead
         line = [start + (end - start) * step / 8 for step in range(9)]
-        spot = beside(at, left * way, SPEED_CLEAR + CLEARANCE, wide, high)
+        spots = [
+            beside(foot, out, SPEED_CLEAR + CLEARANCE, wide, high)
+            for foot, out in ((at, left * way), (end, sense * way), (start, -sense * way))
+        ]
         if not obstacles.free(line, 0.0, 0.0, SPEED_CLEAR).all():
             continue
         if not obstacles.clear_of_labels([(start, end)], SPEED_CLEAR).all():
             continue
-        if obstacles.free([spot], wide, high, CLEARANCE, APART)[0]:
+        free = obstacles.free(spots, wide, high, CLEARANCE, APART)
+        if free.any():
+            spot = spots[int(free.argmax())]
             tail = middle + (off - SPEED_LENGTH / 2 * sense * along)
             arrow = Vector(tail, tail + SPEED_LENGTH * sense * along, whole=True)
             marks = arrow.marks(solved, row, "speed", grows=False)
             marks.append(text_beside(middle, place, runs, spot, RATE, "tag", row))
             sketch.add(stroke, Level.LABEL, setting.after(number), marks)
             placed = Placed(spot, wide, high)
-            sketch.tags.append(Tag("v", placed.box))
+            sketch.tags.append(Tag(name, placed.box))
             obstacles.box(placed.box)
             obstacles.line([start, end], SPEED_CLEAR)
             return
+
+
+def _speed_of(sketch: Sketch) -> str:
+    """Return the symbol of the given velocity as the table has it: v_A where A is not alone."""
+    sheet = sketch.setting.sheet
+    rows = (row for row in sheet.rows if row.key == sheet.driver.row)
+    cells = (cell for row in rows for cell in row.cells.get("velocity", ()))
+    return next((cell.symbol for cell in cells if cell.given), "v")
