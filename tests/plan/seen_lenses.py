@@ -17,7 +17,7 @@ from vad.plan.items import FOREVER, Level
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lens import Lens
 from vad.plan.lettering.glyphs import typeset
-from vad.plan.marks import Lettering, Mark, Polyline
+from vad.plan.marks import Lettering, Mark
 from vad.plan.sketch import Sketch
 
 #: A letter farther from its dot is searched for.
@@ -147,17 +147,10 @@ def _along(start: complex, end: complex) -> list[complex]:
 
 
 def _crossed(lens: Lens, beside: list[Mark], sketch: Sketch) -> float:
-    """Return how much of the leader of a lens lies on strokes, letters, or another lens."""
-    leaders = [
-        piece
-        for item in sketch.items
-        for mark in item.marks
-        if item.level is Level.LENS and mark.role == "leader"
-        if isinstance(mark.shape, Polyline)
-        for piece in mark.shape.pieces
-        if abs(abs(piece[-1] - lens.at) - lens.radius) < PIXEL
-        and abs(abs(piece[0] - lens.place) - lens.ring) < PIXEL
-    ]
+    """Return how much of the leader of a lens lies on strokes, letters, or another lens.
+
+    It counts where it is broken, too.
+    """
     strokes = [ends for mark in beside for line in _lines(mark) for ends in pairwise(line)]
     boxes = [_box(mark.shape) for mark in beside if isinstance(mark.shape, Lettering)]
     boxes += [
@@ -169,15 +162,13 @@ def _crossed(lens: Lens, beside: list[Mark], sketch: Sketch) -> float:
     ]
     others = [other for other in sketch.lenses if other is not lens]
     lies = 0
-    for leader in leaders:
-        for ends in pairwise(leader):
-            for spot in _along(*ends):
-                lies += (
-                    any(_off(spot, *stroke) < TOUCHES for stroke in strokes)
-                    or any(distance(box, spot) < TOUCHES for box in boxes)
-                    or any(abs(spot - other.at) < other.radius for other in others)
-                    or any(abs(spot - other.place) < other.ring for other in others)
-                )
+    for spot in _along(*lens.leader):
+        lies += (
+            any(_off(spot, *stroke) < TOUCHES for stroke in strokes)
+            or any(distance(box, spot) < TOUCHES for box in boxes)
+            or any(abs(spot - other.at) < other.radius for other in others)
+            or any(abs(spot - other.place) < other.ring for other in others)
+        )
     return STEP * lies
 
 

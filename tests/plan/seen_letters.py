@@ -209,9 +209,10 @@ def _apart(a: Rect, b: Rect) -> tuple[float, float]:
 def _on_leaders(words: Sequence[Word], items: Sequence[Item]) -> Iterator[Fault]:
     for leader in _shapes(items, {"leader"}):
         assert isinstance(leader, Polyline)
-        start, end = leader.pieces[0]
+        ends = [(piece[0], piece[-1]) for piece in leader.pieces]
         for word in words:
-            if any(each.inside(TOUCHES).clipped(start, end) for each in word.letters):
+            boxes = [each.inside(TOUCHES) for each in word.letters]
+            if any(box.clipped(*each) for box in boxes for each in ends):
                 yield Fault("on a leader", word.text, word.box.centre)
 
 

@@ -80,7 +80,7 @@ def check(sketch: Sketch) -> None:
     around = [ink(mark.shape) for mark in outside if mark.role != "construction done"]
     all_ink = np.concatenate(around)
     for close, lens in zip(sketch.close, sketch.lenses, strict=True):
-        last = len(sketch.lenses) > 1 and lens is sketch.lenses[-1]  # it may have little room
+        last = lens is sketch.lenses[-1]  # it may have little room
         assert (0.056 if last else 0.068) - 1e-9 <= lens.radius <= 0.135 + 1e-9
         assert lens.factor in (4, 8, 12, 20, 50, 100, 200)
         assert np.abs(all_ink - lens.at).min() > lens.radius + BAND, lens
@@ -255,6 +255,49 @@ def test_a_third_lens_stands_where_two_leave_points_that_look_like_one(
     for one, other in combinations(sketch.lenses, 2):
         assert abs(one.at - other.at) > one.radius + other.radius + 2 * BAND
     assert [letters_in(sketch, lens) for lens in sketch.lenses] == letters
+
+
+def test_a_drawing_is_smaller_where_its_only_lens_would_have_no_room():
+    mechanism = vad.load(example_path("stephenson-3"))()
+    sheet = vad.draw(vad.solve(mechanism, angle=275.0, alpha=20.0))
+    sketch = planned(sheet).sketches["acceleration"]
+    (lens,) = sketch.lenses
+    assert letters_in(sketch, lens) >= {"a′, d′, g′", "f″ₙ"}
+    check(sketch)
+
+
+def test_a_leader_is_broken_where_it_crosses_a_stroke():
+    mechanism = vad.load(example_path("watt-2"))()
+    sheet = vad.draw(vad.solve(mechanism, angle=155.0, alpha=20.0))
+    sketch = planned(sheet).sketches["acceleration"]
+    vectors = [
+        piece
+        for mark in standing(sketch, lens=False)
+        if mark.role.startswith("vector") and isinstance(mark.shape, Polyline)
+        for piece in mark.shape.pieces
+    ]
+    leaders = [
+        mark.shape.pieces
+        for mark in standing(sketch, lens=True)
+        if mark.role == "leader" and isinstance(mark.shape, Polyline)
+    ]
+    assert max(map(len, leaders)) > 2
+    for first, last in (piece for pieces in leaders for piece in pieces):
+        for start, end in vectors:
+            off, ways = (start - first) / (last - first), (end - start) / (last - first)
+            share = -off.imag / ways.imag
+            assert not (0.0 < share < 1.0 and 0.0 < (off + share * ways).real < 1.0)
+
+
+def test_leaders_of_lenses_do_not_cross_each_other():
+    sheet = vad.draw(vad.solve(vad.Whitworth(rod=300), angle=120))
+    sketch = planned(sheet, (1024, 768)).sketches["acceleration"]
+    assert len(sketch.lenses) > 1
+    for one, other in combinations(sketch.lenses, 2):
+        (start, end), (first, last) = one.leader, other.leader
+        off, way = (first - start) / (end - start), (last - first) / (end - start)
+        share = -off.imag / way.imag
+        assert not (0.0 < share < 1.0 and 0.0 < (off + share * way).real < 1.0)
 
 
 @pytest.mark.parametrize("name", ["four-bar", "slider-crank", "crank-slotted-lever", "whitworth"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from unittest import mock
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -125,3 +126,45 @@ def test_centres_in_small_groups_are_told_the_same(lines, centres, size):
     at_once = all_.free(centres, *size, 0.0)
     with mock.patch("vad.plan.labels.obstacles._MOST_AT_ONCE", 2 * len(lines)):
         assert all_.free(centres, *size, 0.0).tolist() == at_once.tolist()
+
+
+def test_a_line_is_broken_where_it_crosses_a_stroke():
+    strokes = [(0.3 - 0.2j, 0.3 + 0.2j, 0.01), (0.31 - 0.2j, 0.31 + 0.2j, 0.01)]
+    found = obstacles(strokes, []).between_strokes(0j, 1 + 0j, 0.02, 0.4)
+    assert np.allclose(found, [(0.0, 0.27), (0.34, 1.0)])
+
+
+def test_a_gap_is_longer_where_a_line_crosses_at_an_angle():
+    slanting = obstacles([(0.3 - 0.2j, 0.7 + 0.2j, 0.01)], [])
+    found = slanting.between_strokes(0j, 1 + 0j, 0.02, 0.4)
+    assert np.allclose(found, [(0.0, 0.5 - 0.03 * 2**0.5), (0.5 + 0.03 * 2**0.5, 1.0)])
+
+
+@pytest.mark.parametrize(
+    "stroke",
+    [
+        (0.2 + 0j, 0.8 + 0j, 0.01),  # along the line
+        (0.2 - 0.05j, 0.8 + 0.05j, 0.01),  # at a small angle to it
+        (0.5 + 0.04j, 0.5 + 0.2j, 0.01),  # beside it
+        (1.2 - 0.2j, 1.2 + 0.2j, 0.01),  # beyond its end
+        (0.5 + 0j, 0.5 + 0j, 0.01),  # a dot
+    ],
+)
+def test_a_line_is_not_broken_where_it_crosses_no_stroke(stroke):
+    whole = obstacles([stroke], []).between_strokes(0j, 1 + 0j, 0.02, 0.4)
+    assert whole == [(0j, 1 + 0j)]
+
+
+def test_strokes_beyond_the_end_of_a_line_do_not_make_it_longer():
+    strokes = [(at - 0.2j, at + 0.2j, 0.01) for at in (-2.0, -1.0, 1.5, 2.5)]
+    assert obstacles(strokes, []).between_strokes(0j, 1 + 0j, 0.02, 0.4) == [(0j, 1 + 0j)]
+
+
+def test_a_line_that_begins_at_a_stroke_begins_beside_it():
+    end = obstacles([(-0.2j, 0.2j, 0.01)], []).between_strokes(0j, 1 + 0j, 0.02, 0.4)
+    assert np.allclose(end, [(0.03, 1.0)])
+
+
+def test_a_line_of_which_nothing_would_be_left_is_whole():
+    short = obstacles([(-0.2j, 0.2j, 0.01)], []).between_strokes(0j, 0.02 + 0j, 0.02, 0.4)
+    assert short == [(0j, 0.02 + 0j)]

@@ -215,6 +215,36 @@ class Obstacles:
         found: Reals = np.bincount(number, lies_on, len(at)) * long / steps
         return found
 
+    def between_strokes(
+        self, start: complex, end: complex, gap: float, steep: float
+    ) -> list[tuple[complex, complex]]:
+        """Return the pieces of a straight line that leave a gap on either side of each stroke.
+
+        It keeps on across one that it meets at less than an angle, whose sine is ``steep``, and
+        where nothing would be left of it.
+        """
+        way, gaps = end - start, list[tuple[float, float]]()
+        for first, last, half, _ in self.lines:
+            off, along = (first - start) / way, (last - first) / way
+            if abs(along.imag) <= steep * abs(along):
+                continue
+            share = -off.imag / along.imag
+            beyond = (half + gap) / abs(last - first)
+            if -beyond < share < 1.0 + beyond:
+                at = (off + share * along).real
+                wide = (half + gap) / abs(way) * abs(along / along.imag)
+                gaps.append((at - wide, at + wide))
+        pieces, begun = list[tuple[complex, complex]](), 0.0
+        for first_share, last_share in (
+            *sorted(each for each in gaps if each[0] < 1.0),
+            (1.0, 1.0),
+        ):
+            if begun < first_share:
+                pieces.append((start + begun * way, start + first_share * way))
+            begun = max(begun, last_share)
+        seen = [(one, other) for one, other in pieces if abs(other - one) > PIXEL]
+        return seen or [(start, end)]
+
     def clear_of_labels(
         self, lines: Sequence[tuple[complex, complex]] | Complexes, half_width: float
     ) -> Bools:

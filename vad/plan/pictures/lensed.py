@@ -9,9 +9,9 @@ drawn if it has room in the same drawing.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
-from itertools import combinations
+from itertools import combinations, islice
 from operator import itemgetter
 from typing import NamedTuple
 
@@ -33,8 +33,8 @@ from vad.plan.pictures.inset import (
     insets_of,
     reserved,
 )
-from vad.plan.pictures.lenses import ROOMY, Field, Spot
-from vad.plan.pictures.scenes import CROSSED, FAINT, RADII, TINT, Scene, View
+from vad.plan.pictures.lenses import ROOMY, WORTH, Field, Spot
+from vad.plan.pictures.scenes import CROSSED, FAINT, LITTLE, RADII, TINT, Scene, View
 from vad.plan.reach import corners
 from vad.plan.scale import fill, views_scale
 from vad.plan.sketch import Close, Setting, Sketch
@@ -50,8 +50,18 @@ LEAST_SCALE = 0.70
 LABELLED = 3
 #: How many rooms are tried.
 ROOMS = 9
-#: Farther from its dot, a letter needs a lens; and farther than that, the drawing is spoilt.
-FAR, ASTRAY = 40.0 * PIXEL, 100.0 * PIXEL
+#: Farther from its dot, a letter needs a lens; and farther than that, the drawing is spoilt, as by
+#: so many strokes under a leader.
+FAR, ASTRAY, FAR_FAULTS = 40.0 * PIXEL, 100.0 * PIXEL, 2
+#: So many faults is one more lens worth.
+PRICE = 3
+#: So many smaller drawings are tried for the sake of a lens where there is none, and so many ways
+#: to place lenses where one more needs room beside them.
+MORE_ROOMS, MORE_WAYS = 3, 2
+#: How many of their radii the first lens and the others go without, in turn: where there are two,
+#: and where one more needs room.
+USUAL_SIZES = ((0, 0), (RADII - 2, 0))
+ALL_SIZES = ((0, 0), (RADII - 2, 0), (RADII - 2, RADII - 2))
 #: Where a leader lies on strokes, or a letter is astray, so many smaller drawings are tried.
 BETTER = 3
 
@@ -72,7 +82,7 @@ class LensedLabels(PlacedLabels):
     far
         Labels without a place beside their dots.
     most
-        With more leaders of lenses across strokes there is no drawing.
+        With leaders of lenses across more strokes there is no drawing.
     more
         Whether there is one more lens for points that look like one; without it, no drawing.
 
@@ -83,7 +93,7 @@ class LensedLabels(PlacedLabels):
     led
         The labels of the picture that stand far from their dots.
     faults
-        How many leaders of lenses lie on strokes, and how many labels are astray.
+        How many strokes leaders of lenses lie on; a label that is astray counts as two.
     fits
         The rank of the first subset for whose lenses there is room.
     forced
@@ -106,8 +116,8 @@ class LensedLabels(PlacedLabels):
         self.placed = False
 
     def with_more(self) -> LensedLabels:
-        """Return such labels in a drawing with one more lens, at the price of one fault at most."""
-        return LensedLabels(self._rank, self._far, self.faults + 1, more=True)
+        """Return such labels in a drawing with one more lens, at the price of few faults."""
+        return LensedLabels(self._rank, self._far, self.faults + PRICE, more=True)
 
     def vertices(
         self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
@@ -127,13 +137,12 @@ class LensedLabels(PlacedLabels):
             return scene.shown
 
         self.close = close_places(setting, vertices, self._far, shown) if self._rank < NONE else []
-        if self.close:
-            choices = subsets([scenes[each] for each in self.close])[self._rank :]
-            found = find_lenses(sketch, choices)
+        if self.close or self._more:
+            scenes_of = [scenes[each] for each in self.close]
+            choices = subsets(scenes_of)[self._rank :] if self.close else [[]]
+            found = (find_one_more if self._more else find_lenses)(sketch, choices)
             self.fits = self._rank + found.number if found else NONE
-            if self._more:
-                found = found and found.with_another(sketch)
-            self.faults = sum(spot.covered > CROSSED for _, spot, _ in found.placed) if found else 0
+            self.faults = found.faults if found else 0
             if not found or self.fits > self._rank or self.faults > self._most:
                 raise NoRoomError
             found.add(sketch)
@@ -145,7 +154,7 @@ class LensedLabels(PlacedLabels):
         off = {seen[n].label: distance(spot.box, seen[n].at) for n, spot in placed}
         short = {seen[n].label for n, spot in placed if is_short(spot)}
         self.led = frozenset(label for label, far in off.items() if far > FAR) - short
-        self.faults += sum(far > ASTRAY for far in off.values())
+        self.faults += FAR_FAULTS * sum(far > ASTRAY for far in off.values())
         for close in sketch.close:
             early = [vertices[n] for n in close.members]
             early = [each for each in early if setting.after(each.since) < close.since]
@@ -165,10 +174,26 @@ def with_lenses(setting: Setting, draw: Draw) -> Sketch:
         better = _tried(draw, room, other)
         if better and len(other.led) < len(labels.led) and other.forced <= labels.forced:
             sketch, labels = better, other
-    if 0 < len(sketch.close) <= MOST and untold(sketch.vertices, sketch.close):
+    return _with_more(setting, draw, sketch, labels, room)
+
+
+def _with_more(
+    setting: Setting, draw: Draw, sketch: Sketch, labels: LensedLabels, room: Rect
+) -> Sketch:
+    """Return a drawing with one more lens where points still look like one, if it has room.
+
+    One that has no lens may become smaller for it, if fewer points look like one then.
+    """
+    left = len(untold(sketch.vertices, sketch.close)) if setting.lenses else 0
+    rooms = [room] if left else []
+    if left and not sketch.close:
+        rooms += _smaller_rooms(setting)[:MORE_ROOMS]
+    for each in rooms:
         other = labels.with_more()
-        better = _tried(draw, room, other)
-        if better and other.faults <= labels.faults + 1:
+        better = _tried(draw, each, other)
+        if not better or other.faults > labels.faults + PRICE or other.forced > labels.forced:
+            continue
+        if len(untold(better.vertices, better.close)) < left:
             return better
     return sketch
 
@@ -240,21 +265,32 @@ class Found(NamedTuple):
     placed: list[tuple[Scene, Spot, View]]
     inset: tuple[Inset, Corner] | None
 
-    def with_another(self, sketch: Sketch) -> Found | None:
+    @property
+    def covered(self) -> float:
+        """How much of their leaders lies on strokes."""
+        return sum(spot.covered for _, spot, _ in self.placed)
+
+    @property
+    def faults(self) -> int:
+        """How many strokes a leader lies on, more or less."""
+        return sum(int(spot.covered / CROSSED) for _, spot, _ in self.placed)
+
+    def with_another(self, sketch: Sketch, scenes: dict[Close, Scene]) -> Found | None:
         """Return them with one more lens beside them for points that look like one.
 
-        None where there are no such points, or it has no place.
+        None where there are no such points, or it has no place.  What was seen of places before is
+        among the ``scenes``.
         """
+        field = self._beside(sketch)
+        if field.largest < LITTLE[-1]:
+            return None
         close = [view.close for _, _, view in self.placed]
-        field: Field | None = None
         for each in left_places(sketch.setting, sketch.vertices, close):
-            scene = Scene(sketch, each)
-            if not scene.shown:
-                continue
-            field = field or self._beside(sketch)
-            fitting = scene.place(field) or scene.place(field, little=True)
+            if each not in scenes:
+                scenes[each] = Scene(sketch, each, little=True)
+            fitting = scenes[each].place(field) or scenes[each].place(field, little=True)
             if fitting:
-                return self._replace(placed=[*self.placed, (scene, *fitting)])
+                return self._replace(placed=[*self.placed, (scenes[each], *fitting)])
         return None
 
     def _beside(self, sketch: Sketch) -> Field:
@@ -285,55 +321,111 @@ def subsets(scenes: Sequence[Scene]) -> list[list[Scene]]:
 def find_lenses(sketch: Sketch, choices: Sequence[Sequence[Scene]]) -> Found | None:
     """Return the lenses of the first choice of close places for which there is room.
 
-    The inset of a panel takes its corner before them, or else after them.
+    Where leaders lie on strokes, it takes the way to place them in which they lie on least.
     """
-    setting = sketch.setting
-    room, insets = setting.room, insets_of(setting)
-    full = _field(sketch, min((each.since for some in choices for each in some), default=0))
-    corners = (first_corner(sketch.obstacles, room, some) for some in (insets, insets[-1:]))
-    known = [each for each in corners if each]
-    if insets and not known:
-        return None
-    fields: list[tuple[Field, tuple[Inset, Corner] | None]] = [
-        (full.less(Obstacles(room, [], [(box, ALWAYS) for box in boxes(*inset)])), inset)
-        for inset in known
-    ] or [(full, None)]
+    return _clearest(ways_to_place(sketch, choices, USUAL_SIZES))
+
+
+def find_one_more(sketch: Sketch, choices: Sequence[Sequence[Scene]]) -> Found | None:
+    """Return the lenses of the first choice of close places for which there is room, and one more.
+
+    They may be smaller, so that the other has room; or there is it alone.
+    """
+    scenes: dict[Close, Scene] = {}
+    ways = islice(ways_to_place(sketch, choices, ALL_SIZES), MORE_WAYS)
+    more = (found.with_another(sketch, scenes) for found in ways)
+    return _clearest(each for each in more if each)
+
+
+def _clearest(ways: Iterable[Found]) -> Found | None:
+    """Return the lenses of the first choice among some ways whose leaders lie on no stroke.
+
+    Where there are none, it returns those whose leaders lie on least.
+    """
+    best: Found | None = None
+    for found in ways:
+        if best and found.number > best.number:
+            break
+        if best is None or found.covered < best.covered - WORTH:
+            best = found
+        if not best.faults:
+            break
+    return best
+
+
+def ways_to_place(
+    sketch: Sketch, choices: Sequence[Sequence[Scene]], sizes: Sequence[tuple[int, int]]
+) -> Iterator[Found]:
+    """Yield the ways to place lenses of the first choice of close places, then of the next ones.
+
+    Of their radii, the first lens goes without the first ones, and the others without so many.
+    """
+    since = min((each.since for some in choices for each in some), default=0)
+    full = _field(sketch, since)
+    known = _known_insets(sketch)
     for number, some in enumerate(choices):
-        for field, inset in fields:
-            placed = _together(some, field)
-            if placed:
-                return Found(number, placed, inset)
-        placed = _together(some, full) if known else None
-        if placed:
-            taken = sketch.obstacles.copy()
-            for _, spot, _ in placed:
-                spot.block(taken, 0)
-            inset = first_corner(taken, room, insets)
-            if inset:
-                return Found(number, placed, inset)
-    return None
+        for placed, inset in _side_by_side(sketch, some, full, known, sizes):
+            yield Found(number, placed, inset)
 
 
-def _together(scenes: Sequence[Scene], field: Field) -> list[tuple[Scene, Spot, View]] | None:
-    """Return the places of lenses side by side, and what they show; None where one has none.
+def _known_insets(sketch: Sketch) -> list[tuple[Inset, Corner] | None]:
+    """Return the inset of a panel, large and small, where it stands without lenses.
+
+    None stands for a panel without one; there is none in the list where it has no corner.
+    """
+    room, insets = sketch.setting.room, insets_of(sketch.setting)
+    corners = (first_corner(sketch.obstacles, room, some) for some in (insets, insets[-1:]))
+    return [each for each in corners if each] if insets else [None]
+
+
+def _side_by_side(
+    sketch: Sketch,
+    scenes: Sequence[Scene],
+    full: Field,
+    known: Sequence[tuple[Inset, Corner] | None],
+    sizes: Sequence[tuple[int, int]],
+) -> Iterator[tuple[list[tuple[Scene, Spot, View]], tuple[Inset, Corner] | None]]:
+    """Yield the ways to place lenses in a ``full`` room, with the inset of the panel.
+
+    It takes its corner before them, or else after them.
+    """
+    room = sketch.setting.room
+    for inset in known:
+        taken = [(box, ALWAYS) for box in boxes(*inset)] if inset else []
+        field = full.less(Obstacles(room, [], taken)) if taken else full
+        yield from ((placed, inset) for placed in _together(scenes, field, sizes))
+    for placed in _together(scenes, full, sizes) if any(known) else ():
+        beside = sketch.obstacles.copy()
+        for _, spot, _ in placed:
+            spot.block(beside, 0)
+        corner = first_corner(beside, room, insets_of(sketch.setting))
+        if corner:
+            yield placed, corner
+
+
+def _together(
+    scenes: Sequence[Scene], field: Field, sizes: Sequence[tuple[int, int]]
+) -> Iterator[list[tuple[Scene, Spot, View]]]:
+    """Yield the ways to place lenses side by side, and what they show; none where one has none.
 
     Of two, the one that takes its place first leaves more room if it is smaller.
     """
-    for first in (0, RADII - 2) if len(scenes) > 1 else (0,):
+    for first, others in sizes:
         for order in dict.fromkeys((tuple(scenes), tuple(reversed(scenes)))):
             room = field
             found: list[tuple[Scene, Spot, View]] = []
             for scene in order:
-                fitting = scene.place(room, 0 if found else first)
+                fitting = scene.place(room, others if found else first)
                 if fitting is None and not found and not first:
-                    return None  # it has no place even alone
+                    return  # it has no place even alone
                 if fitting is None:
                     break
                 found.append((scene, *fitting))
                 room = room.beside(fitting[0])
             if len(found) == len(scenes):
-                return found
-    return None
+                yield found
+        if not scenes:
+            return
 
 
 def _field(sketch: Sketch, since: int) -> Field:

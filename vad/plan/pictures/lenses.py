@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import pairwise, product
 from typing import NamedTuple
 
@@ -21,7 +22,7 @@ from vad.plan.labels.vertices import text_at
 from vad.plan.lens import BAND, Lens, circle
 from vad.plan.lettering.glyphs import ink_size, width
 from vad.plan.lettering.runs import Runs, roman
-from vad.plan.marks import Mark, disc, line
+from vad.plan.marks import Mark, Polyline, disc
 from vad.plan.roles import ROLES
 from vad.plan.scale import SCALE_GAP, Scale, bar_marks, scale_bar
 from vad.plan.sketch import Close, Setting
@@ -46,10 +47,13 @@ TURNS = [
 ]
 WORTH = 2.5 * PIXEL  # so much less does a leader lie on strokes that is turned for it
 STEEP = 0.6  # the sine of the least angle at which it meets the circles
+#: On either side of a stroke, a leader is broken that crosses it at more than an angle: its sine.
+GAP, ACROSS = 3.0 * PIXEL, 0.4
 OFF_RING = 4.0 * PIXEL  # from the circle about the place, what a leader lies on counts
 
 Reals = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
+Bools = NDArray[np.bool_]
 
 
 class Words(NamedTuple):
@@ -96,13 +100,17 @@ class Spot:
     middle: complex
     covered: float = 0.0
 
-    def frame(self) -> Iterator[Mark]:
-        """Yield its rim over a band, the circle about its place, its leader and its words."""
-        lens = self.lens
+    def frame(self, drawn: Obstacles | None = None) -> Iterator[Mark]:
+        """Yield its rim over a band, the circle about its place, its leader and its words.
+
+        The leader runs behind what is ``drawn``: it is broken where it crosses a stroke.
+        """
+        lens, ends = self.lens, self.lens.leader
+        pieces = tuple(drawn.between_strokes(*ends, GAP, ACROSS)) if drawn else (ends,)
         yield disc(lens.at, lens.radius + BAND / 2, "lens band")
         yield disc(lens.at, lens.radius, "lens rim")
         yield disc(lens.place, lens.ring, "lens place")
-        yield line(lens.leader, "leader")
+        yield Mark(Polyline(pieces), "leader")
         yield from self.words.marks(self.middle)
 
     def block(self, obstacles: Obstacles, since: int) -> None:
@@ -136,6 +144,7 @@ class Field:
 
     ``clear`` is how far each is from ink, ``roomy`` how far from what it leaves room for if it can:
     letters of dots, and faint lines; ``obstacles`` are what its words and its leader keep clear of.
+    The ``leaders`` of other lenses are crossed by no leader: which is whose could not be told.
     """
 
     room: Rect
@@ -143,6 +152,7 @@ class Field:
     clear: Reals
     roomy: Reals
     obstacles: Obstacles
+    leaders: tuple[tuple[complex, complex], ...] = ()
 
     @classmethod
     def of(cls, room: Rect, obstacles: Obstacles, soft: Obstacles) -> Field:
@@ -153,11 +163,24 @@ class Field:
         clear, roomy = clearance(obstacles, grid), clearance(soft, grid)
         return cls(room, grid, clear, np.minimum(clear, roomy), obstacles)
 
+    @cached_property
+    def largest(self) -> float:
+        """The radius of the largest lens that has room, where there is little."""
+        return float(np.minimum(self.clear - CLEAR, self._to_edge(FAR_BESIDE)).max()) - BAND
+
+    def _to_edge(self, beside: float) -> Reals:
+        """Return how far all places are from the edge, so far ``beside`` the room."""
+        room, grid = self.room, self.grid
+        aside = np.minimum(grid.real - room.left, room.right - grid.real)
+        above = np.minimum(grid.imag - room.bottom, room.top - grid.imag)
+        near: Reals = np.minimum(aside + beside, above)
+        return near
+
     def beside(self, spot: Spot) -> Field:
         """Return the field with a lens that stands there."""
         other = Obstacles(self.obstacles.edge)
         spot.block(other, 0)
-        return self.less(other)
+        return replace(self.less(other), leaders=(*self.leaders, spot.lens.leader))
 
     def less(self, other: Obstacles) -> Field:
         """Return the field with more obstacles."""
@@ -165,7 +188,7 @@ class Field:
         obstacles.lines += other.lines
         obstacles.boxes += other.boxes
         clear, roomy = np.minimum(self.clear, off), np.minimum(self.roomy, off)
-        return Field(self.room, self.grid, clear, roomy, obstacles)
+        return Field(self.room, self.grid, clear, roomy, obstacles, self.leaders)
 
     def places(
         self,
@@ -184,7 +207,7 @@ class Field:
         words, room, grid = words_of(setting, scale, close.factor, little), self.room, self.grid
         aside = np.minimum(grid.real - room.left, room.right - grid.real)
         above = np.minimum(grid.imag - room.bottom, room.top - grid.imag)
-        beyond = np.minimum(aside + (FAR_BESIDE if little else BESIDE), above)
+        beyond = self._to_edge(FAR_BESIDE if little else BESIDE)
         cost = np.abs(grid - close.middle) + INWARD * (aside + above)
         crossing: list[Spot] = []
         tried: set[float] = set()
@@ -260,6 +283,8 @@ class Field:
         ways = ends - starts
         covered = self.obstacles.all_covered(starts + OFF_RING * ways / np.abs(ways), ends)
         free = self.obstacles.clear_of_labels(leaders, 2.0 * PIXEL)
+        for first, last in self.leaders:
+            free &= ~_crosses(starts, ends, first, last)
         covered[~free] = np.inf
         best = int(covered.argmin())
         return replace(spots[best], covered=float(covered[best])) if free[best] else None
@@ -275,6 +300,15 @@ def _clearer(usual: Spot | None, other: Spot | None) -> Spot | None:
     if usual and other:
         return other if other.covered < usual.covered - WORTH else usual
     return usual or other
+
+
+def _crosses(starts: Complexes, ends: Complexes, first: complex, last: complex) -> Bools:
+    """Tell which straight lines cross another one."""
+    way, ways = last - first, ends - starts
+    past = ((starts - first) / way).imag * ((ends - first) / way).imag
+    beside = ((first - starts) / ways).imag * ((last - starts) / ways).imag
+    crosses: Bools = (past < 0.0) & (beside < 0.0)
+    return crosses
 
 
 def beyond(box: Rect, at: complex) -> float:

@@ -34,6 +34,8 @@ LITTLE = (0.062, 0.056)
 CROSSED = 7.0 * PIXEL
 #: The sizes of letters in a lens, and how many stand in one line.
 LETTERS = ((0.036, IN_LINE), (0.030, IN_LINE), (0.030, 2))
+#: Where there is little room, as above and then smaller, one below the other.
+LITTLE_LETTERS = (*LETTERS, (0.027, 2), (0.027, 1))
 #: How far and where a lens may be moved over what it shows, and from there to its rim at least.
 ASIDES = (0j, *(off * way for off in (0.022, 0.045) for way in (1j, -1j, -1.0 + 0j, 1.0 + 0j)))
 NEARER = ASIDES[:5]  # in a smaller lens
@@ -78,10 +80,14 @@ Whole = list[tuple[Item, list[tuple[Mark, Outline]]]]
 
 
 class Scene:
-    """What is seen of a close place, at any place of its lens."""
+    """What is seen of a close place, at any place of its lens.
 
-    def __init__(self, sketch: Sketch, close: Close) -> None:
+    Where there is ``little`` room for it, letters may be smaller.
+    """
+
+    def __init__(self, sketch: Sketch, close: Close, little: bool = False) -> None:
         self._sketch, self._close = sketch, close
+        self._little, self._letters = little, LITTLE_LETTERS if little else LETTERS
         self._views: dict[float, View | None] = {}
         self._radii: list[float] = np.linspace(largest(sketch.setting), SMALLEST, RADII).tolist()
         most = self._radii[0] + max(map(abs, ASIDES))
@@ -109,6 +115,10 @@ class Scene:
         Where there is ``little`` room for it, still smaller ones are tried.
         """
         radii = [*self._radii[first:], *(LITTLE if little else ())]
+        if self._little:
+            radii = [radius for radius in radii if radius <= field.largest]
+            if not radii or not self._view(radii[0]):
+                return None  # letters have still less room in a smaller one
         own = [radius for radius in radii if self._view(radius)]
         setting, scale = self._sketch.setting, self._sketch.scale
         for spot in field.places(setting, scale, self._close, own, little):
@@ -138,7 +148,7 @@ class Scene:
         sketch.add(stroke, Level.LENS, since, on_page([disc(lens.at, lens.radius, "lens")]))
         shown = self._shown(lens)
         sketch.items += shown
-        sketch.add(stroke, Level.LENS, since, on_page(spot.frame()))
+        sketch.add(stroke, Level.LENS, since, on_page(spot.frame(sketch.obstacles.during(span))))
 
         def through(mark: Mark) -> Mark:
             assert mark.hangs is not None
@@ -193,7 +203,7 @@ class Scene:
         """
         sketch, settings = self._sketch, list[tuple[Lens, Close, Obstacles]]()
         needed = set(self._close.members[: self._close.needed])
-        for off in ASIDES if radius == self._radii[0] else NEARER:
+        for off in ASIDES if self._little or radius == self._radii[0] else NEARER:
             lens = Lens(self._close.middle, LEAST_RING, self._close.factor, 0j, radius, off)
             offs = [abs(lens(vertex.at)) for vertex in sketch.vertices]
             inside = [number for number, each in enumerate(offs) if each < radius]
@@ -202,17 +212,17 @@ class Scene:
             first = (*(n for n in self._close.members if n in inside), *inside)
             close = replace(self._close, members=tuple(dict.fromkeys(first)))
             crowd = self._crowd(lens)
-            least = _letters(sketch, close, lens, crowd, *LETTERS[-1])
-            for size, in_line in LETTERS if least else ():
+            least = _letters(sketch, close, lens, crowd, *self._letters[-1])
+            for size, in_line in self._letters if least else ():
                 letters = _letters(sketch, close, lens, crowd, size, in_line)
                 if letters:
                     return View(lens, close, size, in_line, letters)
             settings.append((lens, close, crowd))
         led = settings[:LED] if radius == self._radii[0] and len(needed) >= CROWDED else []
         for lens, close, crowd in led:
-            letters = _letters(sketch, close, lens, crowd, *LETTERS[-1], led=True)
+            letters = _letters(sketch, close, lens, crowd, *self._letters[-1], led=True)
             if letters:
-                return View(lens, close, *LETTERS[-1], letters)
+                return View(lens, close, *self._letters[-1], letters)
         return None
 
 
