@@ -186,6 +186,12 @@ def test_arrows_of_opposite_senses_on_one_link_point_opposite_ways(name):
     assert all((one * other.conjugate()).real < 0.0 for one, other in pairs)
 
 
+@pytest.mark.parametrize("name", ["atkinson-engine", "stephenson-3"])
+def test_arrows_of_opposite_senses_stand_about_one_end_where_there_is_room(name):
+    board = drawn(vad.load(example_path(name))(), angle=300.0)
+    assert "about two ends" not in {fault for fault, _ in faults(board)}
+
+
 @pytest.mark.parametrize(("name", "most"), [("four-bar", 6), ("beam-engine", 120)])
 def test_no_more_places_are_looked_at_than_up_to_the_best(monkeypatch, name, most):
     """The search for the place of a name is what takes long: few arrows come so far."""

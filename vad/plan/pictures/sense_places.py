@@ -45,6 +45,11 @@ BESIDE = (
     (0.130, 38.0),
     (0.155, 32.0),
     (0.185, 30.0),
+    (0.028, 80.0),
+    (0.034, 70.0),
+    (0.092, 50.0),
+    (0.092, 36.0),
+    (0.066, 40.0),
 )
 #: How far beyond the other end of the link one runs that turns about both.
 PAST = (0.030, 0.042, 0.054)
@@ -81,7 +86,7 @@ AGAINST = -0.85
 #: where the other one is, and with small letters.
 ASIDE, FAR_END, LOOSE, SMALL = 1.0, 1.5, 1.5, 0.3
 #: So many arrows are looked at together, and so many of one sense are tried with one of the other.
-AT_ONCE, MOST_PAIRS = 16, 40
+AT_ONCE, MOST_PAIRS = 16, 80
 #: What lies so near the axis of a link belongs to it.
 _OWN = 0.004
 
