@@ -96,8 +96,12 @@ def close_places(
 
 
 def untold(vertices: Sequence[Vertex], close: Sequence[Close]) -> list[Need]:
-    """Return the pairs of vertices that look like one where no lens of a ``close`` place helps."""
+    """Return the pairs of vertices that look like one where no lens of a ``close`` place helps.
+
+    Those that no lens can tell apart are not among them.
+    """
     needs = list(_needs(vertices, ())) if len(vertices) <= MANY else []
+    needs = [need for need in needs if need.met(FACTORS[-1])]
     for each in close:
         needs = list(_unmet(needs, each.members, each.factor))
     return needs
