@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page
 
+import vad
 from tests.browser import opened, until
 from tests.page.lessons import FIRST, LESSON, STROKES, page_of, press, scrub, show
 from vad.page.parts import parts
@@ -167,3 +168,25 @@ def test_who_wants_no_motion_sees_one_picture_fade_into_another(
         assert len(fading["drawings"]) == len(before)  # for scripts there are no others
         page.evaluate(_PLACES)
         until(page, lambda: page.locator(".ghost").count() == 0)
+
+
+def test_the_scale_in_the_head_of_two_polygons_stands_above_the_first(
+    browser: Browser, tmp_path: Path
+) -> None:
+    lesson = vad.animate(vad.draw(vad.solve(vad.SpatialFourBar())))
+    path = tmp_path / "two.html"
+    vad.save(lesson, path)
+    with opened(browser, viewport={"width": 1280, "height": 800}) as page:
+        page.goto(path.as_uri())
+        panel = page.locator(".panel").nth(1)
+
+        def beyond_the_middle() -> float:
+            page.evaluate(_PLACES)
+            room, bar = panel.bounding_box(), panel.locator(".scale:not(.hand) .bar").bounding_box()
+            assert room and bar
+            return bar["x"] + bar["width"] - room["x"] - room["width"] / 2
+
+        scrub(page, 44.0)
+        assert beyond_the_middle() < 0.0
+        scrub(page, float(page.evaluate("document.querySelector('.scrub').max")))
+        assert beyond_the_middle() > 0.0  # at the end one is below the other

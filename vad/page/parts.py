@@ -316,10 +316,11 @@ def panel_section(board: Plan, panel: Panel, inker: Inker, words: RunWriter, lar
     begun = when([(drawing(board.sketches[panel.name].setting.first), FOREVER)])
     area, unit = board.page.panels[panel.name].drawing, board.form.unit
     name = words.of(roman(panel.title), light=False, heavy=True)
+    twin = " twin" if panel.below else ""
     return (
         f'<section class="panel" style="--w:{number(area.width * unit)};'
         f'--d:{number(area.height * unit)};--z:{number(large, 3)}">'
-        f'<div class="top"{begun}><h2>{name}</h2>{scale_bar(board, panel, words)}</div>'
+        f'<div class="top{twin}"{begun}><h2>{name}</h2>{scale_bar(board, panel, words)}</div>'
         f"{picture(board, panel, inker)}"
         f'<div class="foot"{begun}>{_foot(board, panel, inker, words)}</div></section>'
     )
