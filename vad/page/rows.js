@@ -39,7 +39,7 @@ function hidden(root, body, dock) {
   }
 
   const able = () => { for (const button of rows) button.disabled = !dock.held; };
+  show();
   dock.on(able);
   able();
-  show();
 }

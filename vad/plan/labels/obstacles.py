@@ -203,12 +203,12 @@ class Obstacles:
         boxes = self.boxes if labels else []
         lies_on = ~Obstacles(self.edge, [], boxes).free(centres, 0.0, 0.0, PIXEL)
         if self.lines:
-            row, first, last = _met_between(at, ways, PIXEL, self._strokes())
-            first = np.ceil(np.clip(first * steps[row], 1.0, steps[row]))
-            last = np.floor(np.clip(last * steps[row], 0.0, steps[row] - 1.0))
-            met = first <= last
-            begun = before[row[met]] + first[met].astype(np.intp) - 1
-            ended = before[row[met]] + last[met].astype(np.intp)
+            first, last = _met_between(at, ways, PIXEL, self._strokes())
+            first = np.ceil(np.clip(first * steps[:, None], 1.0, steps[:, None]))
+            last = np.floor(np.clip(last * steps[:, None], 0.0, steps[:, None] - 1.0))
+            met = np.nonzero(first <= last)
+            begun = before[met[0]] + first[met].astype(np.intp) - 1
+            ended = before[met[0]] + last[met].astype(np.intp)
             count = len(number) + 1
             begun, ended = (np.bincount(each, minlength=count) for each in (begun, ended))
             lies_on |= np.cumsum(begun - ended)[:-1] > 0
@@ -287,45 +287,38 @@ def _meets(at: Complexes, half_x: float | Reals, half_y: float | Reals, strokes:
     stroke.
     """
     ways = strokes.ways
+    away = at[:, None] - strokes.middles
     aside = np.reshape(half_x, (-1, 1)) + strokes.halves
     above = np.reshape(half_y, (-1, 1)) + strokes.halves
     long, tall = np.abs(ways.real), np.abs(ways.imag)
-    off_x = np.subtract.outer(at.real, strokes.middles.real)
-    off_y = np.subtract.outer(at.imag, strokes.middles.imag)
-    meets: Bools = np.abs(off_x) <= aside + long
-    meets &= np.abs(off_y) <= above + tall
-    row, column = np.nonzero(meets)  # few meet on both of the boxes' axes
-    aside, above = (each[row if len(each) == len(meets) else 0, column] for each in (aside, above))
-    across = np.abs(off_x[row, column] * ways.imag[column] - off_y[row, column] * ways.real[column])
-    meets[row, column] = across <= aside * tall[column] + above * long[column]
+    across = np.abs(away.real * ways.imag - away.imag * ways.real)
+    meets: Bools = across <= aside * tall + above * long
+    meets &= np.abs(away.real) <= aside + long
+    meets &= np.abs(away.imag) <= above + tall
     return meets
 
 
 def _met_between(
     at: Complexes, ways: Complexes, half: float, strokes: _Strokes
-) -> tuple[Integers, Reals, Reals]:
-    """Return between which shares of its way a square that moves meets a stroke.
+) -> tuple[Reals, Reals]:
+    """Return between which shares of its way a square that moves meets each stroke.
 
-    Of each meeting there are the number of the way, and the two shares.  The axes are those of
-    `_meets`: on each, the square is near enough during one stretch.
+    There is a row for each way.  The axes are those of `_meets`: on each, the square is near enough
+    during one stretch.
     """
+    away = at[:, None] - strokes.middles
     long, tall = np.abs(strokes.ways.real), np.abs(strokes.ways.imag)
     near = half + strokes.halves
-    wide, high = (np.abs(part) / 2 + 2.0 * half for part in (ways.real, ways.imag))
-    row, column = np.nonzero(_meets(at + ways / 2, wide, high, strokes))  # others are far away
-    away, way, stroke = at[row] - strokes.middles[column], ways[row], strokes.ways[column]
-    near, long, tall = near[column], long[column], tall[column]
-    normal = 1j * stroke.conjugate()
+    normal = 1j * strokes.ways.conjugate()
     axes = (
-        (away.real, way.real, near + long),
-        (away.imag, way.imag, near + tall),
-        ((away * normal).real, (way * normal).real, near * (long + tall)),
+        (away.real, ways.real[:, None], near + long),
+        (away.imag, ways.imag[:, None], near + tall),
+        ((away * normal).real, (ways[:, None] * normal).real, near * (long + tall)),
     )
-    first, last = np.zeros(len(row)), np.ones(len(row))
+    first, last = np.zeros(away.shape), np.ones(away.shape)
     for off, rate, reach in axes:
         speed = np.where(np.abs(rate) < _STILL, _STILL, rate)
         middle, spread = -off / speed, (reach + _STILL) / np.abs(speed)
         first = np.maximum(first, middle - spread)
         last = np.minimum(last, middle + spread)
-    met = first <= last
-    return row[met], first[met], last[met]
+    return first, last

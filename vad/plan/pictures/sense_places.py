@@ -86,7 +86,7 @@ AGAINST = -0.85
 #: where the other one is, and with small letters.
 ASIDE, FAR_END, LOOSE, SMALL = 1.0, 1.5, 1.5, 0.3
 #: So many arrows are looked at together, and so many of one sense are tried with one of the other.
-AT_ONCE, MOST_PAIRS = 16, 80
+AT_ONCE, MOST_PAIRS = 16, 40
 #: What lies so near the axis of a link belongs to it.
 _OWN = 0.004
 
