@@ -191,11 +191,15 @@ def test_thousands_of_points_are_solved_in_seconds():
     assert motion.point("G999").position == one
 
 
-def test_the_most_points_take_as_long_to_draw_as_eighty_usual_drawings_at_most(tmp_path: Path):
+@pytest.mark.exhaustive(1000)
+@pytest.mark.parametrize(("count", "most"), [(30, 20.0), (MOST_POINTS, 80.0)])
+def test_many_points_take_as_long_to_draw_as_so_many_usual_drawings_at_most(
+    tmp_path: Path, count: int, most: float
+):
     """A ratio of one run: machines differ by a factor of three."""
     took = [drawing(vad.Whitworth(rod=300.0), tmp_path / "usual.svg") for _ in range(2)]
-    with within(80.0 * min(took)):
-        drawing(many(MOST_POINTS), tmp_path / "many.svg")
+    with within(most * min(took)):
+        drawing(many(count), tmp_path / "many.svg")
 
 
 def drawing(mechanism: vad.Mechanism, path: Path) -> float:

@@ -9,7 +9,7 @@ import pytest
 import vad
 from tests.plan.overlaps import planned
 from tests.plan.seen_lenses import faults
-from tests.plan.test_overlaps import RAMS, turn
+from tests.plan.test_overlaps import still
 from vad.files.examples import example_names, example_path
 from vad.plan.board import Plan
 from vad.plan.sketch import Sketch
@@ -63,11 +63,10 @@ def test_a_lens_in_the_way_is_seen():
     assert "knot" in found
 
 
-@pytest.mark.exhaustive(16)
+@pytest.mark.exhaustive(24, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_lenses_of_all_mechanisms_as_they_are_seen(name: str, step: int):
-    mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))(**RAMS.get(name, {}))
-    for sheet in turn(mechanism, steps=12, some=[step]):
+    for sheet in still(name, step):
         found = list(faults(planned(sheet)))
         assert not [each for each in found if each[0] in ("alone", "covers", "useless")], found

@@ -33,7 +33,7 @@ def sheets(name, panels):
             yield vad.draw(vad.solve(machine, **place, **given), panels)
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("panel", ["centres", "klein", "turned"])
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_no_label_lies_on_anything(name, panel):
