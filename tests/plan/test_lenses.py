@@ -21,6 +21,7 @@ from vad.plan.lens import BAND, Lens
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
+from vad.plan.pictures import lensed
 from vad.plan.problem_sheet import blank_panels, problem
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Sketch
@@ -304,6 +305,15 @@ def test_leaders_of_lenses_do_not_cross_each_other():
 def test_a_page_without_such_a_place_has_no_lens(name: str):
     sheet = vad.draw(vad.solve(vad.MECHANISMS[name](), angle=40))
     assert not any(sketch.lenses for sketch in planned(sheet).sketches.values())
+
+
+def test_no_lens_is_looked_for_where_one_would_not_help(monkeypatch: pytest.MonkeyPatch):
+    """Of points that lie close together in a long row, no lens shows all."""
+    tried, once = [], lensed._tried
+    monkeypatch.setattr(lensed, "_tried", lambda *given: tried.append(1) or once(*given))
+    points = {f"E{number}": ("coupler", 10.0 + number, 7.0 * number) for number in range(6)}
+    planned(vad.draw(vad.solve(vad.FourBar(points=points)), panels=("velocity",)))
+    assert len(tried) <= 2
 
 
 @pytest.mark.exhaustive(24, of="stills")

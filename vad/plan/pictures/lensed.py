@@ -58,6 +58,8 @@ PRICE = 3
 #: So many smaller drawings are tried for the sake of a lens where there is none, and so many ways
 #: to place lenses where one more needs room beside them.
 MORE_ROOMS, MORE_WAYS = 3, 2
+#: Where there is no lens and more pairs of points look like one, a single lens would not help.
+MOST_PAIRS = 8
 #: How many of their radii the first lens and the others go without, in turn: where there are two,
 #: and where one more needs room.
 USUAL_SIZES = ((0, 0), (RADII - 2, 0))
@@ -185,6 +187,8 @@ def _with_more(
     One that has no lens may become smaller for it, if fewer points look like one then.
     """
     left = len(untold(sketch.vertices, sketch.close)) if setting.lenses else 0
+    if not sketch.close and left > MOST_PAIRS:
+        return sketch
     rooms = [room] if left else []
     if left and not sketch.close:
         rooms += _smaller_rooms(setting)[:MORE_ROOMS]
