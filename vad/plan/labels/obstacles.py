@@ -183,15 +183,9 @@ class Obstacles:
         return float(self.all_covered([start], [end])[0])
 
     def all_covered(
-        self,
-        starts: Sequence[complex] | Complexes,
-        ends: Sequence[complex] | Complexes,
-        labels: bool = True,
+        self, starts: Sequence[complex] | Complexes, ends: Sequence[complex] | Complexes
     ) -> Reals:
-        """Return how much of each leader, given by its ends, would lie on strokes.
-
-        Without ``labels`` it is known that none of them meets a box.
-        """
+        """Return how much of each leader, given by its ends, would lie on strokes."""
         at = np.asarray(starts, dtype=np.complex128)
         ways = np.asarray(ends, dtype=np.complex128) - at
         long = np.abs(ways)
@@ -200,8 +194,7 @@ class Obstacles:
         before = np.cumsum(steps - 1) - (steps - 1)
         share = np.arange(1, len(number) + 1) - before[number]
         centres: Complexes = at[number] + ways[number] * share / steps[number]
-        boxes = self.boxes if labels else []
-        lies_on = ~Obstacles(self.edge, [], boxes).free(centres, 0.0, 0.0, PIXEL)
+        lies_on = ~Obstacles(self.edge, [], self.boxes).free(centres, 0.0, 0.0, PIXEL)
         if self.lines:
             first, last = _met_between(at, ways, PIXEL, self._strokes())
             first = np.ceil(np.clip(first * steps[:, None], 1.0, steps[:, None]))
@@ -278,6 +271,15 @@ class _Strokes:
     def between(cls, starts: Complexes, ends: Complexes, halves: Reals) -> _Strokes:
         """Return strokes with these ends."""
         return cls((starts + ends) / 2, (ends - starts) / 2, halves)
+
+
+def crossed(starts: Complexes, ends: Complexes, first: complex, last: complex) -> Bools:
+    """Tell which of some straight lines cross another one, from ``first`` to ``last``."""
+    way, ways = np.complex128(last - first).conjugate(), (ends - starts).conjugate()
+    sides = (way * (starts - first)).imag * (way * (ends - first)).imag
+    other_sides = (ways * (first - starts)).imag * (ways * (last - starts)).imag
+    found: Bools = (sides < 0.0) & (other_sides < 0.0)
+    return found
 
 
 def _meets(at: Complexes, half_x: float | Reals, half_y: float | Reals, strokes: _Strokes) -> Bools:

@@ -327,7 +327,7 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
             if not (clear_of.all() or through):
                 through = replace(led[np.flatnonzero(kept)[clear_of.argmin()]], forced=True)
             kept[kept] = clear_of
-            covered = obstacles.all_covered(ends[kept, 0], ends[kept, 1], labels=False)
+            covered = obstacles.all_covered(*ends[kept].T)
             tried += len(covered)
             for number, over in zip(np.flatnonzero(kept).tolist(), covered.tolist(), strict=True):
                 spot = led[number]

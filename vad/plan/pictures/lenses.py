@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER
 from vad.plan.labels.close import LEAST_RING
-from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.obstacles import PIXEL, Obstacles, crossed
 from vad.plan.labels.placing import APART, Placed
 from vad.plan.labels.vertices import text_at
 from vad.plan.lens import BAND, Lens, circle
@@ -53,7 +53,6 @@ OFF_RING = 4.0 * PIXEL  # from the circle about the place, what a leader lies on
 
 Reals = NDArray[np.float64]
 Complexes = NDArray[np.complex128]
-Bools = NDArray[np.bool_]
 
 
 class Words(NamedTuple):
@@ -166,15 +165,16 @@ class Field:
     @cached_property
     def largest(self) -> float:
         """The radius of the largest lens that has room, where there is little."""
-        return float(np.minimum(self.clear - CLEAR, self._to_edge(FAR_BESIDE)).max()) - BAND
+        aside, above = self._off_edges
+        beyond = np.minimum(aside + FAR_BESIDE, above)
+        return float(np.minimum(self.clear - CLEAR, beyond).max()) - BAND
 
-    def _to_edge(self, beside: float) -> Reals:
-        """Return how far all places are from the edge, so far ``beside`` the room."""
+    @property
+    def _off_edges(self) -> tuple[Reals, Reals]:
+        """How far all places are from the edges of the room: aside, and above or below."""
         room, grid = self.room, self.grid
         aside = np.minimum(grid.real - room.left, room.right - grid.real)
-        above = np.minimum(grid.imag - room.bottom, room.top - grid.imag)
-        near: Reals = np.minimum(aside + beside, above)
-        return near
+        return aside, np.minimum(grid.imag - room.bottom, room.top - grid.imag)
 
     def beside(self, spot: Spot) -> Field:
         """Return the field with a lens that stands there."""
@@ -204,10 +204,9 @@ class Field:
         stroke; see `_best`.  Where there is ``little`` room, a lens reaches farther into the
         gutter, and has no bar.
         """
-        words, room, grid = words_of(setting, scale, close.factor, little), self.room, self.grid
-        aside = np.minimum(grid.real - room.left, room.right - grid.real)
-        above = np.minimum(grid.imag - room.bottom, room.top - grid.imag)
-        beyond = self._to_edge(FAR_BESIDE if little else BESIDE)
+        words, grid = words_of(setting, scale, close.factor, little), self.grid
+        aside, above = self._off_edges
+        beyond = np.minimum(aside + (FAR_BESIDE if little else BESIDE), above)
         cost = np.abs(grid - close.middle) + INWARD * (aside + above)
         crossing: list[Spot] = []
         tried: set[float] = set()
@@ -284,7 +283,7 @@ class Field:
         covered = self.obstacles.all_covered(starts + OFF_RING * ways / np.abs(ways), ends)
         free = self.obstacles.clear_of_labels(leaders, 2.0 * PIXEL)
         for first, last in self.leaders:
-            free &= ~_crosses(starts, ends, first, last)
+            free &= ~crossed(starts, ends, first, last)
         covered[~free] = np.inf
         best = int(covered.argmin())
         return replace(spots[best], covered=float(covered[best])) if free[best] else None
@@ -300,15 +299,6 @@ def _clearer(usual: Spot | None, other: Spot | None) -> Spot | None:
     if usual and other:
         return other if other.covered < usual.covered - WORTH else usual
     return usual or other
-
-
-def _crosses(starts: Complexes, ends: Complexes, first: complex, last: complex) -> Bools:
-    """Tell which straight lines cross another one."""
-    way, ways = last - first, ends - starts
-    past = ((starts - first) / way).imag * ((ends - first) / way).imag
-    beside = ((first - starts) / ways).imag * ((last - starts) / ways).imag
-    crosses: Bools = (past < 0.0) & (beside < 0.0)
-    return crosses
 
 
 def beyond(box: Rect, at: complex) -> float:

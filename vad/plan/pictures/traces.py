@@ -13,7 +13,7 @@ from itertools import pairwise
 import numpy as np
 
 from vad.plan.items import Span
-from vad.plan.labels.obstacles import Complexes
+from vad.plan.labels.obstacles import Complexes, crossed
 from vad.plan.marks import Fading, Mark, Polygon, disc, line
 from vad.plan.roles import ROLES, VECTOR
 from vad.plan.sketch import Sketch
@@ -79,12 +79,5 @@ def crossings(points: Points, strokes: Complexes) -> int:
     >>> crossings((0j, 2 + 0j), np.array([[1 - 1j, 1 + 1j], [3 - 1j, 3 + 1j]]))
     1
     """
-    first, last = strokes[:, 0], strokes[:, 1]
-    count = 0
-    for one, other in pairwise(points):
-        way = np.complex128(other - one)
-        sides = (way.conjugate() * (first - one)).imag * (way.conjugate() * (last - one)).imag
-        ways = (last - first).conjugate()
-        ends = (ways * (one - first)).imag * (ways * (other - first)).imag
-        count += int(np.count_nonzero((sides < 0.0) & (ends < 0.0)))
-    return count
+    met = (crossed(strokes[:, 0], strokes[:, 1], *each) for each in pairwise(points))
+    return sum(int(np.count_nonzero(each)) for each in met)
