@@ -10,7 +10,6 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from string import ascii_uppercase
 from typing import Literal
 from unicodedata import normalize
 
@@ -25,11 +24,12 @@ _SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789−", stri
 _LOW, _HIGH = (
     {sign: each for each, sign in signs.items()} for signs in (_SUBSCRIPTS, _SUPERSCRIPTS)
 )
-_TOKEN = re.compile(r"_[A-Z]|[A-Za-zÀ-ÖØ-öø-ÿ]+|[0-9]+|[\s=.,:;()/+×·°′″-]+|.", re.DOTALL)
+_TOKEN = re.compile(r"_[A-Z]+|[A-Za-zÀ-ÖØ-öø-ÿ]+|[0-9]+|[\s=.,:;()/+×·°′″-]+|.", re.DOTALL)
 #: Letters with a dot above or below, which fonts do not have: ṡ.
 _DOTTED = re.compile(r"[Ḁ-ỿ]")
 #: One and two dots above what stands before them.
 DOTS = "\N{COMBINING DOT ABOVE}\N{COMBINING DIAERESIS}"
+_CAPITALS = re.compile(r"[A-Z]+")
 _GREEK = re.compile(r"[α-ωΑ-Ω]")
 
 
@@ -74,7 +74,7 @@ def said(pieces: tuple[TextPiece, ...]) -> Runs:
 def _tokens(text: str, italic: Callable[[str], bool]) -> list[Run]:
     """Return the tokens of a text, with Greek letters italic, and what ``italic`` picks out.
 
-    A capital stands low behind ``_``, which there is no sign for: s_D.
+    Capitals stand low behind ``_``, as there are no signs for them: s_D, v_CB.
     """
     runs: list[Run] = []
     apart = _DOTTED.sub(lambda found: normalize("NFD", found.group()), text)
@@ -99,8 +99,8 @@ def _run(token: str, italic: Callable[[str], bool], before: Run | None) -> Run:
     """Return a token as it is set after the run ``before`` it."""
     if token in DOTS and before:
         return Run(token, "roman", before.script)
-    if token[0] == "_" and len(token) == 2:
-        return Run(token[1], "italic", -1)
+    if token[0] == "_" and len(token) > 1:
+        return Run(token[1:], "italic", -1)
     if token in _SUBSCRIPTS:
         letter = _SUBSCRIPTS[token]
         return Run(letter, "italic" if letter.isalpha() else "roman", -1)
@@ -136,12 +136,18 @@ def plain(runs: Runs) -> str:
     --------
     >>> plain(roman("3005 mm/s²"))
     '3005 mm/s²'
+    >>> plain(symbols("v_CB"))
+    'v_CB'
     """
-    signs = {-1: _LOW | {letter: f"_{letter}" for letter in ascii_uppercase}, 0: {}, 1: _HIGH}
-    text = "".join(
-        signs[run.script].get(letter, letter) for run in runs if run.shown for letter in run.text
-    )
+    text = "".join(_signs(run) for run in runs if run.shown)
     return normalize("NFC", text)
+
+
+def _signs(run: Run) -> str:
+    """Return the text of a run in one line, as it was before it was set."""
+    text = _CAPITALS.sub(r"_\g<0>", run.text) if run.script == -1 else run.text
+    signs = {-1: _LOW, 0: {}, 1: _HIGH}[run.script]
+    return "".join(signs.get(letter, letter) for letter in text)
 
 
 def bold(runs: Runs) -> Runs:
