@@ -10,6 +10,7 @@ import pytest
 import vad
 from tests.strokes.calculations import THIN
 from tests.strokes.motions import everything, in_every_language
+from vad.files.examples import example_names, example_path
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
 from vad.mechanisms import Mechanism
 from vad.strokes.description import describe, title
@@ -164,3 +165,13 @@ def test_what_vanishes_is_said_where_the_lines_cross(
 ) -> None:
     captions = said(vad.draw(vad.solve(mechanism, angle=angle), panels="velocity"))
     assert captions[f"velocity:{stroke}.crossing"] == sentence
+
+
+@pytest.mark.exhaustive(4)
+@pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
+def test_no_two_results_of_a_panel_have_one_symbol(name: str) -> None:
+    mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))()
+    sheet = vad.draw(vad.solve(mechanism))
+    for panel in sheet.panels:
+        symbols = [cell.symbol for row in sheet.rows for cell in row.cells.get(panel.name, ())]
+        assert len(symbols) == len(set(symbols)) > 0

@@ -26,7 +26,7 @@ ROWS = {"12": "crank", "24": "B", "14": "rocker", "23": "B", "43": "C"}
 class Script(BodyScript):
     """The drawings of the spherical four-bar."""
 
-    topic, numbered, sphere = "spherical", False, True
+    topic, sphere = "spherical", True
     rows = {"crank": "A", "B": "B", "C": "C", "rocker": "D"}
     titles, numbers = {"B": "coupler", "C": "coupler"}, {"crank": 2, "B": 32, "C": 34, "rocker": 4}
 

@@ -144,8 +144,6 @@ class Script(ABC):
         The titles of rows whose title is not their key.
     numbers
         The numbers of the bodies whose rotation a row shows: 2, or 32 for 3 relative to 2.
-    numbered
-        Whether the symbols of its angles have these numbers, too.
     sphere
         Whether it lies on a sphere of radius 1: then its views have no unit.
     sizes
@@ -156,7 +154,6 @@ class Script(ABC):
     rows: ClassVar[Mapping[str, str]]
     titles: ClassVar[Mapping[str, str]] = {}
     numbers: ClassVar[Mapping[str, int]]
-    numbered: ClassVar[bool] = True
     sphere: ClassVar[bool] = False
 
     def __init__(self, scene: SceneInSpace) -> None:
@@ -181,15 +178,21 @@ class Script(ABC):
         return order.unit if order.number else "" if self.sphere else self.scene.unit
 
     def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
-        """Return the cells of a row: the angle or the rate of its link or joint."""
+        """Return the cells of a row: the angle or the rate of its link or joint.
+
+        The angle of a joint has the letter of the joint: θ_B.
+        """
         joints = self.motion.solver.joints
         part: Any = self.motion.joint(key) if key in joints else self.motion.link(key)
-        return (self.cell(order, key, getattr(part, order.rate)),)
+        cell = self.cell(order, key, getattr(part, order.rate))
+        if order is POSITION and key in joints:
+            cell = replace(cell, symbol=f"{order.symbol}_{key}")
+        return (cell,)
 
     def cell(self, order: Order, key: str, value: Any) -> Cell:
-        """Return a cell with an angle, ω or α."""
-        number = subscript(self.numbers[key]) if order.number or self.numbered else ""
-        return Cell(order.symbol + number, value, order.unit, key == self.scene.driver.name)
+        """Return a cell with an angle, ω or α, by the number of the body: θ₂."""
+        symbol = order.symbol + subscript(self.numbers[key])
+        return Cell(symbol, value, order.unit, key == self.scene.driver.name)
 
     @property
     def driven(self) -> Figure:
