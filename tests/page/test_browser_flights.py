@@ -13,14 +13,15 @@ from playwright.sync_api import Browser, Page
 
 import vad
 from tests.browser import opened, until
-from tests.page.lessons import at, lesson_of, page_of, press, scrub, show
+from tests.page.lessons import at, bundle_of, lesson_of, page_of, press, scrub, show
 from vad.files.examples import example_path
 from vad.page.document import document
 from vad.page.parts import parts
 
 NAME = "crank-slotted-lever"
 LESSON = lesson_of(NAME, whole=True)
-FLIGHTS = parts(LESSON).data["flights"]
+#: So many vectors fly in it; that they do, its page has to be made for.
+FLIGHTS = 6
 #: Where the arrow is that flies, and whether its own is seen: its tail, its tip.
 _AIR = """() => {
   document.getAnimations().forEach((each) => each.finish());
@@ -97,9 +98,26 @@ def ends(found: list[list[float]]) -> list[complex]:
     return [complex(u, -v) for u, v in found]
 
 
-@pytest.mark.parametrize("number", FLIGHTS)
-def test_a_vector_leaves_its_source_and_lands_in_its_place(lever: Page, number: int) -> None:
-    _, kind, phases, source, turn, _, _, *places = FLIGHTS[number]
+@pytest.fixture(scope="module")
+def known() -> dict[str, Any]:
+    """Return what the page knows."""
+    return bundle_of(page_of(NAME, whole=True))[1]
+
+
+@pytest.fixture(scope="module")
+def flights(known: dict[str, Any]) -> dict[int, Any]:
+    """Return what it knows of each flight, by the number of its stroke."""
+    found = {int(number): each for number, each in known["flights"].items()}
+    assert len(found) == FLIGHTS
+    return found
+
+
+@pytest.mark.parametrize("order", range(FLIGHTS))
+def test_a_vector_leaves_its_source_and_lands_in_its_place(
+    lever: Page, flights: dict[int, Any], order: int
+) -> None:
+    number, flight = list(flights.items())[order]
+    _, kind, phases, source, turn, _, _, *places = flight
     scrub(lever, number + 0.5)
     tail, tip, aloft = flying(lever, number + 1e-6)
     assert aloft
@@ -145,18 +163,20 @@ def test_the_image_of_a_link_with_three_points_lands_on_its_triangle(
         assert one == pytest.approx(other, abs=6.0) and min(one[2:]) > 30  # with its rim
 
 
-def test_each_kind_flies_from_its_panel() -> None:
-    found = {each[1]: each[3] for each in FLIGHTS.values()}
+def test_each_kind_flies_from_its_panel(flights: dict[int, Any]) -> None:
+    found = {each[1]: each[3] for each in flights.values()}
     assert found == {"tangential": 0, "normal": 0, "image": 0, "coriolis": 1}
     omega = LESSON.sheet.driver.omega
-    first = next(each for each in FLIGHTS.values() if each[1] == "tangential")
+    first = next(each for each in flights.values() if each[1] == "tangential")
     assert first[4] == math.copysign(90.0, omega)
     plain = vad.animate(LESSON.sheet, plain=True)
     assert parts(plain).data["flights"] == {}
 
 
-def test_the_next_key_lands_it_and_a_switch_lets_a_pencil_draw(lever: Page) -> None:
-    number = min(FLIGHTS)
+def test_the_next_key_lands_it_and_a_switch_lets_a_pencil_draw(
+    lever: Page, flights: dict[int, Any]
+) -> None:
+    number = min(flights)
     scrub(lever, number)
     press(lever, "ArrowRight")
     until(lever, lambda: lever.evaluate(_AIR) is not None)
@@ -170,8 +190,8 @@ def test_the_next_key_lands_it_and_a_switch_lets_a_pencil_draw(lever: Page) -> N
     lever.locator(".travels").evaluate("(each) => { each.checked = true; }")
 
 
-def test_links_that_it_does_not_come_from_are_pale(lever: Page) -> None:
-    number = next(place for place, each in FLIGHTS.items() if each[1] == "normal")
+def test_links_that_it_does_not_come_from_are_pale(lever: Page, flights: dict[int, Any]) -> None:
+    number = next(place for place, each in flights.items() if each[1] == "normal")
     inks = """(pale) => [...new Set([...document.querySelectorAll(
       `.drawing > svg :is(path, circle, text)${pale ? ".pale" : ":not(.pale)"}`)]
       .filter((each) => !each.closest(".hand") && each.getBoundingClientRect().width)
@@ -189,8 +209,8 @@ def test_links_that_it_does_not_come_from_are_pale(lever: Page) -> None:
     assert lever.locator(".pale").count() == 0
 
 
-def test_a_rate_that_is_found_flies_to_its_sense(lever: Page) -> None:
-    number, (_, seconds) = next(iter(parts(LESSON).data["sent"].items()))
+def test_a_rate_that_is_found_flies_to_its_sense(lever: Page, known: dict[str, Any]) -> None:
+    number, (_, seconds) = next((int(key), each) for key, each in known["sent"].items())
     assert seconds == 1.6
     scrub(lever, number + 0.9)
     until(lever, lambda: not lever.evaluate("document.getAnimations().length"))  # panels stand
@@ -207,8 +227,8 @@ def test_a_rate_that_is_found_flies_to_its_sense(lever: Page) -> None:
     until(lever, lambda: lever.locator(".sent").count() == 0)
 
 
-def test_where_the_source_is_not_seen_a_pencil_draws(lever: Page) -> None:
-    number = next(place for place, each in FLIGHTS.items() if each[1] == "coriolis")
+def test_where_the_source_is_not_seen_a_pencil_draws(lever: Page, flights: dict[int, Any]) -> None:
+    number = next(place for place, each in flights.items() if each[1] == "coriolis")
     lever.set_viewport_size({"width": 640, "height": 600})
     narrow: Any = flying(lever, number + 0.5)
     lever.set_viewport_size({"width": 1280, "height": 720})

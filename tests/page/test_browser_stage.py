@@ -12,8 +12,7 @@ from playwright.sync_api import Browser, Page
 
 import vad
 from tests.browser import opened, until
-from tests.page.lessons import FIRST, LESSON, STROKES, page_of, press, scrub, show
-from vad.page.parts import parts
+from tests.page.lessons import FIRST, STROKES, bundle_of, page_of, press, scrub, show
 
 #: Where the drawings are, the panels and the table, when all have come to rest.
 _PLACES = """() => {
@@ -41,7 +40,13 @@ _SEEN = """(large) => [...document.querySelectorAll(".drawing svg")].flatMap((sv
   return [[600, 300], [700, 200]].map(([u, v]) =>
     new DOMPoint(factor * u + x, factor * v + y).matrixTransform(matrix)).map(({ x, y }) => [x, y]);
 })"""
-LARGE = parts(LESSON).data["large"]
+
+
+@pytest.fixture(scope="module")
+def large() -> list[Any]:
+    """Return how large the page draws each panel, and where."""
+    found: list[Any] = bundle_of(page_of("slider-crank"))[1]["large"]
+    return found
 
 
 def places(page: Page, x: float) -> dict[str, Any]:
@@ -104,13 +109,15 @@ _FILLED = """() => [...document.querySelectorAll(".small .drawing")].map((cell) 
 })"""
 
 
-def test_thumbnails_show_what_is_drawn_and_all_of_it_when_a_hand_moves_it(lesson: Page) -> None:
+def test_thumbnails_show_what_is_drawn_and_all_of_it_when_a_hand_moves_it(
+    lesson: Page, large: list[Any]
+) -> None:
     places(lesson, FIRST[2] + 3)
     for filled in lesson.evaluate(_FILLED):
         assert 0.7 < max(filled) < 1.05
     # As wide as the view of the sheet in the hand, and in the lesson as what is drawn on it.
     [view, *_] = re.findall(r'<svg[^>]* viewBox="([^"]*)"', page_of("slider-crank"))
-    sheet, drawn = (float(each.split()[2]) for each in (view, LARGE[0][5]))
+    sheet, drawn = (float(each.split()[2]) for each in (view, large[0][5]))
     assert sheet > drawn
     mechanism = lesson.locator(".small .drawing svg").first
     width = "(each) => each.viewBox.baseVal.width"
@@ -121,15 +128,15 @@ def test_thumbnails_show_what_is_drawn_and_all_of_it_when_a_hand_moves_it(lesson
     assert mechanism.evaluate(width) == pytest.approx(drawn, abs=0.01)
 
 
-def test_a_change_of_panel_is_a_move_of_a_second(lesson: Page) -> None:
+def test_a_change_of_panel_is_a_move_of_a_second(lesson: Page, large: list[Any]) -> None:
     """All that is drawn moves straight, though it is another picture when it is large."""
     places(lesson, FIRST[1])
-    before = lesson.evaluate(_SEEN, LARGE)
+    before = lesson.evaluate(_SEEN, large)
     press(lesson, "Shift+ArrowRight")
     lasts = lesson.evaluate(_HALFWAY)
-    half = lesson.evaluate(_SEEN, LARGE)
+    half = lesson.evaluate(_SEEN, large)
     lesson.evaluate(_PLACES)
-    after = lesson.evaluate(_SEEN, LARGE)
+    after = lesson.evaluate(_SEEN, large)
     assert lasts == [1000] * 3
     for one, middle, other in zip(before, half, after, strict=True):
         assert middle == pytest.approx(
