@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 import pytest
 
 import vad
+from tests.plan.turns import LEVER, numbered
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import Placed
 from vad.plan.labels.springs import _ACROSS, FASTEST, POSES, _calm, _shown, _smooth
@@ -23,16 +22,15 @@ EVERY = 24
 #: A lever with its ram shows all that one without it does.
 CASES = {
     **{name: vad.MECHANISMS[name]() for name in vad.MECHANISMS},
-    "crank-slotted-lever": vad.CrankSlottedLever(rod=100, ram_height=180),
+    "crank-slotted-lever": LEVER,
     "whitworth": vad.Whitworth(rod=300, ram_height=0),
     "swing": vad.FourBar(crank=130),
 }
 
 
-@cache
 def board(name: str) -> NumberedTurn:
     """Return the still of a turn: its panels are those of the film."""
-    return NumberedTurn(vad.turn(CASES[name]))
+    return numbered(CASES[name])
 
 
 def _meet(one: Placed, other: Placed) -> bool:

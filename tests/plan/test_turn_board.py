@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import vad
+from tests.plan.turns import LEG, WHITWORTH, board_of
 from vad.cli.run import run
 from vad.files.examples import example_path
 from vad.plan.anchors import Beside
@@ -26,7 +27,7 @@ pytestmark = pytest.mark.exhaustive
 
 @pytest.fixture(scope="module")
 def board() -> TurnBoard:
-    return TurnBoard(vad.turn(vad.Whitworth(rod=300)))
+    return board_of(WHITWORTH)
 
 
 def marks(items: list[Item], role: str, region: str = "") -> list[Mark]:
@@ -137,7 +138,7 @@ def test_a_polygon_shows_whole_vectors_and_few_letters(board: TurnBoard):
 
 
 def test_of_a_leg_the_foot_alone_has_a_path_and_links_without_it_are_pale():
-    leg = TurnBoard(vad.turn(vad.load(example_path("jansen-leg"))()))
+    leg = board_of(LEG)
     shown = leg.shown(40)
     for name, panel in leg.panels.items():
         assert len(marks(shown, "hodograph", name)) == 1, name
@@ -255,7 +256,7 @@ def test_a_letter_hangs_on_the_point_beside_it_in_each_view():
 
 
 def test_of_two_polygons_in_a_column_none_is_cut_off():
-    board = TurnBoard(vad.turn(vad.SpatialFourBar()))
+    board = board_of(vad.SpatialFourBar())
     for name, panel in board.panels.items():
         ways = np.concatenate(list(panel.hodographs.tracks.values()))
         assert all(panel.room.holds(z) for z in ways), name
@@ -265,7 +266,7 @@ def test_of_two_polygons_in_a_column_none_is_cut_off():
 
 def test_a_polygon_makes_way_for_the_speeds_over_a_turn():
     """They have their full size, and no vector of any pose meets them."""
-    board = TurnBoard(vad.turn(vad.HookeJoint()))
+    board = board_of(vad.HookeJoint())
     polygon = board.panels["velocity"].picture
     assert isinstance(polygon, Polygon)
     place = polygon._inset

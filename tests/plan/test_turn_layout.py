@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import vad
+from tests.plan.turns import board_of, turn_of
 from vad.files.examples import example_path
 from vad.plan.geometry import Rect
 from vad.plan.labels.obstacles import PIXEL
@@ -16,8 +17,8 @@ from vad.plan.turn_board import TurnBoard
 
 @pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
 def test_a_mechanism_over_a_turn_comes_nearer_to_its_edges_than_a_still(size: tuple[int, int]):
-    turn = vad.turn(vad.SliderCrank(), size=size)
-    panel = TurnBoard(turn).panels["position"]
+    turn = turn_of(vad.SliderCrank(), size)
+    panel = board_of(vad.SliderCrank(), size).panels["position"]
     poses = [turn.pose(frame).panel("position") for frame in range(0, turn.frames, 10)]
     points = [panel.scale(z) for pose in poses for z in corners(pose)]
     assert all(panel.room.holds(z, -0.04) for z in points)

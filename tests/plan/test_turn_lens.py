@@ -2,32 +2,27 @@
 
 from __future__ import annotations
 
-from functools import cache
 from typing import Any
 
 import numpy as np
 import pytest
 
 import vad
-from vad.files.examples import example_path
+from tests.plan.turns import LEG, LEVER, board_of, numbered
 from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lens import BAND
 from vad.plan.marks import Disc
-from vad.plan.turn_board import NumberedTurn, TurnBoard
+from vad.plan.turn_board import TurnBoard
 from vad.plan.turn_lens import FADE, HYSTERESIS, INSIDE, SMALL, TurnLens, _spans
 from vad.plan.turn_panel import TurnPanel
 
-CASES = {
-    "lever": lambda: vad.CrankSlottedLever(rod=100, ram_height=180),
-    "leg": vad.load(example_path("jansen-leg")),
-}
+CASES = {"lever": LEVER, "leg": LEG}
 PHASES = [number / 60 for number in range(60)]
 
 
-@cache
 def board(name: str) -> TurnBoard:
-    return TurnBoard(vad.turn(CASES[name]()))
+    return board_of(CASES[name])
 
 
 def lensed(name: str) -> tuple[TurnPanel, TurnLens]:
@@ -131,7 +126,7 @@ def test_what_it_shows_is_the_polygon_enlarged():
 
 
 def test_a_polygon_that_is_large_most_of_the_time_has_none():
-    shown = TurnBoard(vad.turn(vad.SliderCrank()))
+    shown = board_of(vad.SliderCrank())
     assert {panel.lens for panel in shown.panels.values()} == {None}
 
 
@@ -153,7 +148,7 @@ def test_it_comes_again_where_it_stays_long_both_times():
 
 
 def test_a_still_with_numbers_has_none():
-    still = NumberedTurn(vad.turn(CASES["lever"]()))
+    still = numbered(LEVER)
     assert still.panels["acceleration"].lens is None
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 
 import pytest
 
 import vad
+from tests.plan.turns import LEVER, WHITWORTH, board_of
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Polyline
@@ -19,16 +19,15 @@ pytestmark = pytest.mark.exhaustive
 
 CASES = {
     **{name: vad.MECHANISMS[name]() for name in vad.MECHANISMS},
-    "shaper": vad.CrankSlottedLever(rod=100, ram_height=180),
-    "whitworth-ram": vad.Whitworth(rod=300),
+    "shaper": LEVER,
+    "whitworth-ram": WHITWORTH,
     "swing": vad.FourBar(crank=130),
 }
 PHASES = [number / 24 for number in range(24)]
 
 
-@cache
 def board(name: str, size: tuple[int, int] = (1280, 720)) -> TurnBoard:
-    return TurnBoard(vad.turn(CASES[name], size=size))
+    return board_of(CASES[name], size)
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
