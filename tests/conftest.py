@@ -67,12 +67,18 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     items[:] = kept
 
 
+def pytest_collection() -> None:
+    """Collect no garbage while tests are collected, which all stay: that takes a fifth longer."""
+    gc.disable()
+
+
 def pytest_collection_finish() -> None:
     """Let the collector of garbage pass over what is there for the whole run.
 
     Thousands of tests and modules are a big heap, and it would walk through them again and again:
     that is a tenth of the time of tests that draw.
     """
+    gc.enable()
     gc.collect()
     gc.freeze()
     gc.set_threshold(20_000, 20, 50)
