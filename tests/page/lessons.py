@@ -6,7 +6,7 @@ import json
 import re
 import string
 import zlib
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 import vad
 from vad.lecture.lesson import Lesson
+from vad.mechanisms.mechanism import Mechanism
 from vad.page.document import document
 from vad.words import Language
 
@@ -43,6 +44,12 @@ def lesson_of(name: str, code: str = "en", style: str = "paper", whole: bool = F
 def page_of(name: str, code: str = "en", style: str = "paper", whole: bool = False) -> str:
     """Return its page."""
     return document(lesson_of(name, code, style, whole))
+
+
+@lru_cache(maxsize=16)
+def written(mechanism: Mechanism, code: str = "en", **inputs: float) -> str:
+    """Return the page of a mechanism of any dimensions in any pose."""
+    return document(vad.animate(vad.draw(vad.solve(mechanism, **inputs), language=code)))
 
 
 def bundle_of(html: str) -> tuple[str, dict[str, Any], list[str], str, list[str]]:

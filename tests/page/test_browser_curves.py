@@ -11,17 +11,12 @@ from playwright.sync_api import Browser, Page
 
 import vad
 from tests.browser import opened
-from tests.page.lessons import show
-from vad.page.document import document
+from tests.page.lessons import show, written
 
 HELD = """() => {
   document.querySelector("[data-do=last]").click();
   document.querySelector("[data-do=hand]").click();
 }"""
-
-
-def page_of(mechanism: object, **inputs: float) -> str:
-    return document(vad.animate(vad.draw(vad.solve(mechanism, **inputs))))
 
 
 def switch(page: Page, name: str) -> None:
@@ -37,7 +32,7 @@ def spots(page: Page, selector: str) -> np.ndarray:
 @pytest.fixture
 def page(browser: Browser, tmp_path: Path):
     with opened(browser, viewport={"width": 1280, "height": 820}) as opened_page:
-        show(opened_page, tmp_path, page_of(vad.FourBar(), omega=10.0))
+        show(opened_page, tmp_path, written(vad.FourBar(), omega=10.0))
         opened_page.evaluate(HELD)
         yield opened_page
 
@@ -98,7 +93,7 @@ def test_the_curve_of_an_angle_names_the_whole_turn(page: Page) -> None:
 def test_a_range_that_is_not_a_turn_is_covered(browser: Browser, tmp_path: Path) -> None:
     """B of the double slider runs from one end of its guide to the other."""
     with opened(browser, viewport={"width": 1280, "height": 820}) as page:
-        show(page, tmp_path, page_of(vad.DoubleSlider()))
+        show(page, tmp_path, written(vad.DoubleSlider()))
         page.evaluate(HELD)
         switch(page, "Paths")
         boxes = page.evaluate("""() => [...document.querySelectorAll(".ways .path")].map((path) => {

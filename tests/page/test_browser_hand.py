@@ -15,19 +15,14 @@ from playwright.sync_api import Browser, Page, expect
 
 import vad
 from tests.browser import opened, painted, until, violations
-from tests.page.lessons import at, page_of, press, show
+from tests.page.lessons import at, page_of, press, show, written
 from vad.files.examples import example_path
 from vad.kinematics.reach import closing_range
 from vad.page.dimensions import readable
-from vad.page.document import document
 from vad.units import read
 
 STEP = 14  # Velocity 5
 LIMITED = vad.FourBar(crank=130)
-
-
-def written(mechanism: Any, code: str = "en", **inputs: float) -> str:
-    return document(vad.animate(vad.draw(vad.solve(mechanism, **inputs), language=code)))
 
 
 @pytest.fixture(scope="module")
@@ -117,7 +112,7 @@ def test_the_table_follows_and_comes_back(page: Page) -> None:
 def test_the_lesson_keeps_its_own_numbers(browser: Browser, tmp_path: Path) -> None:
     """A lesson writes so many digits that its equations hold, a hand always four."""
     cells = "() => [...document.querySelectorAll('.cell')].map((each) => each.innerHTML)"
-    html = document(vad.animate(vad.draw(vad.solve(vad.GateActuator()))))
+    html = written(vad.GateActuator())
     with opened(browser, java_script_enabled=False) as page:
         show(page, tmp_path, html)
         own = page.evaluate(cells)

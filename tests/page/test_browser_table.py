@@ -9,9 +9,8 @@ from playwright.sync_api import Browser, Page, expect
 
 import vad
 from tests.browser import opened, painted
-from tests.page.lessons import press, show
+from tests.page.lessons import press, show, written
 from vad.files.examples import example_path
-from vad.page.document import document
 
 #: Moves the driver over its track; returns by how much cells are too near, and past their panel.
 _WALK = """() => {
@@ -38,11 +37,12 @@ _WALK = """() => {
 def opened_hand(page: Page, folder: Path, name: str) -> None:
     """Show a mechanism in the hand."""
     kind = vad.MECHANISMS.get(name) or vad.load(example_path(name))
-    show(page, folder, document(vad.animate(vad.draw(vad.solve(kind())))), "#step=99")
+    show(page, folder, written(kind()), "#step=99")
     press(page, "End", "h")
     expect(page.locator(".turned:not(.staged)")).to_have_count(1)
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize("name", ["spatial-four-bar", "oscillating-cylinder", "double-slider"])
 def test_numbers_stay_in_their_columns(name: str, browser: Browser, tmp_path: Path) -> None:
     size = {"width": 1280, "height": 720}

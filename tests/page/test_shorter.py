@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import re
 import zlib
+from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Browser, Page
 
+from tests.browser import opened
 from vad.page.document import _HAND, asset, packed, signs
 from vad.page.shorter import shorter_script, shorter_style
 
@@ -24,6 +26,13 @@ const said = (word, count) => `${word} // ${count > 1 ? `${count} times` : "once
 const found = "a/b//c".split(/\\/+/).length / 1;
 answer = [summed(counted.second, counted.first), said("it's", 2), said("", 1), found, high];
 """
+
+
+@pytest.fixture(scope="module")
+def page(browser: Browser) -> Iterator[Page]:
+    """Return the page of all tests of this module."""
+    with opened(browser) as empty:
+        yield empty
 
 
 def test_a_shorter_script_does_the_same(page: Page) -> None:
