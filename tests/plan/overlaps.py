@@ -20,9 +20,10 @@ from vad.strokes.sheet import Sheet
 KEY = 0.058
 
 
-#: The newest plans by their sheet itself: tests that look at the same sheet make its plan once.
+#: The plans that were asked for last, by their sheet itself: tests that look at the same sheet
+#: make its plan once.
 _MADE: OrderedDict[tuple[int, tuple[int, int], bool], tuple[Sheet, Plan]] = OrderedDict()
-_KEPT = 64
+_KEPT = 128
 
 
 def planned(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False) -> Plan:
@@ -32,6 +33,7 @@ def planned(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = Fa
         _MADE[key] = sheet, plan(sheet, screen(size), KEY, lesson)
         if len(_MADE) > _KEPT:
             _MADE.popitem(last=False)
+    _MADE.move_to_end(key)
     return _MADE[key][1]
 
 

@@ -11,10 +11,10 @@ import pytest
 
 import vad
 from tests.kinds import KINDS, SPACE
-from tests.plan.overlaps import planned
+from tests.plan.overlaps import KEY, planned
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
-from vad.plan.board import arrange, column
+from vad.plan.board import arrange, column, plan
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER
@@ -184,16 +184,20 @@ def test_padding_takes_no_more_than_half_of_a_small_drawing():
 
 
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768), (600, 900)])
-def test_however_many_rows_there_are_a_sheet_is_drawn_or_refused(size: tuple[int, int]):
+def test_however_many_rows_there_are_a_sheet_is_drawn_or_refused(
+    size: tuple[int, int], request: pytest.FixtureRequest
+):
+    """In a usual run one number of rows in three is tried."""
     sheet, refused = slider_crank(), []
-    for count in range(1, 25):
+    counts = range(1, 25, 1 if request.config.getoption("--exhaustive") else 3)
+    for count in counts:
         many = replace(sheet, rows=tuple(islice(cycle(sheet.rows), count)))
         try:
-            assert planned(many, size).items
+            assert plan(many, screen(size), KEY).items
         except UsageError as error:
             refused.append(count)
             assert f"{count} rows" in str(error)
-    assert refused == list(range(25 - len(refused), 25))  # those that are too many
+    assert refused == list(counts)[len(counts) - len(refused) :]  # those that are too many
 
 
 @pytest.mark.parametrize("factor", [1e-7, 0.013, 0.5, 1.0, 86.4, 3e9])
