@@ -38,7 +38,7 @@ def files() -> dict[str, str]:
 
 
 def test_a_mechanism_and_a_diagram_that_are_copied_from_it(files: dict[str, str], tmp_path: Path):
-    shutil.copytree(ROOT / "vad", tmp_path / "vad", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.copytree(ROOT / "vad", tmp_path / "vad")
     mechanism = files["class ScotchYoke"]
     mechanism = mechanism.replace("ScotchYoke", "SineYoke").replace("scotch-yoke", "sine-yoke")
     (tmp_path / "vad" / "mechanisms" / "sine_yoke.py").write_text(mechanism, "utf-8")

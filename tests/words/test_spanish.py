@@ -48,7 +48,7 @@ assert run(["draw", "four-bar", "--language", "xx", "-o", "plane.json"]) == 0
 assert run(["draw", "hooke-joint", "--language", "xx", "-o", "space.json"]) == 0
 assert run(["draw", "hooke-joint", "--language", "xx", "-o", "space.svg"]) == 0
 assert run(["animate", "four-bar", "--language", "xx", "-o", "page.html"]) == 0
-assert run(["draw", "whitworth", "--turn", "--language", "xx", "-o", "turn.svg"]) == 0
+assert run(["draw", "scotch-yoke", "--turn", "--language", "xx", "-o", "turn.svg"]) == 0
 english = vad.sheet_from_json("plane.json", language="en")
 spanish = vad.sheet_from_json("plane.json")
 assert english == vad.draw(vad.solve(vad.FourBar()))
