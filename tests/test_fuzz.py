@@ -15,15 +15,15 @@ import pytest
 ROOT = Path(__file__).parents[1]
 #: So many inputs of each entrance take a second or two.  Calls have tests of their own.
 SHARES = {
-    "files": 6,
-    "lines": 50,
-    "draws": 4,
-    "sheets": 12,
-    "batches": 30,
-    "messages": 8,
-    "requests": 15,
+    "files": 3,
+    "lines": 25,
+    "draws": 2,
+    "sheets": 6,
+    "batches": 15,
+    "messages": 4,
+    "requests": 8,
     "titles": 1,
-    "signals": 4,
+    "signals": 2,
 }
 
 

@@ -125,7 +125,7 @@ def test_a_signal_leaves_one_line_and_no_part_of_a_file(environment, tmp_path, n
 
 @posix
 def test_a_signal_that_is_ignored_stays_ignored(shell, tmp_path):
-    line = f"trap '' INT; {VAD} sweep four-bar --steps 4000000 -o {tmp_path}/a.csv & "
+    line = f"trap '' INT; {VAD} sweep four-bar --steps 2000000 -o {tmp_path}/a.csv & "
     done = shell(line + "sleep 0.7; kill -INT $!; wait $!")
     assert (done.returncode, done.stderr) == (0, "")
     assert (tmp_path / "a.csv").exists()

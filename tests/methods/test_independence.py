@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import ast
+from functools import cache
 from pathlib import Path
 
 PACKAGE = Path(__file__).parents[2] / "vad"
 METHODS = PACKAGE / "methods"
 
 
+@cache
 def imports(path: Path) -> set[str]:
     """Return the full names of what a file imports, wherever in it."""
     names = set()
