@@ -80,7 +80,7 @@ def test_the_command_on_a_page_writes_the_page_that_is_downloaded(
     assert written == (gallery / "lessons" / f"{piece.place}.html").read_bytes()
 
 
-@pytest.mark.exhaustive
+@pytest.mark.exhaustive(32)
 @pytest.mark.parametrize("piece", pieces(), ids=lambda piece: piece.place)
 def test_the_picture_of_a_card_is_full_of_ink_and_has_no_letters(piece: Piece, page: Page):
     page.set_content(card(piece.sheet(), "paper"))

@@ -234,6 +234,7 @@ def test_a_problem_at_four_to_three_has_the_page_of_its_key(name: str) -> None:
     assert task and min(line.size for line in task) >= SMALLEST[-1]
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
 @pytest.mark.parametrize("name", ["toggle-press", "watt-2", "shaper", "beam-engine"])
 def test_a_task_is_never_left_out(name: str, size: tuple[int, int]) -> None:

@@ -30,6 +30,7 @@ def lesson(name: str) -> vad.Lesson:
     return lesson_of(name)
 
 
+@pytest.mark.exhaustive(2)
 @pytest.mark.parametrize("name", [*NAMES, HALVES])
 def test_drawings_grow_and_letters_have_the_size_in_which_they_are_read(name: str) -> None:
     film = lesson(name)

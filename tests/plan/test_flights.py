@@ -186,7 +186,7 @@ def test_what_travels_is_its_source_times_a_rate(name):
         assert found == pytest.approx(wanted, rel=1e-6), stroke
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_vectors_fly_from_their_source_to_their_vertices(name):
     _, sheet = moving(name)

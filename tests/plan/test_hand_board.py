@@ -29,7 +29,7 @@ EXAMPLES = {
 }
 KINDS: dict[str, Any] = {**vad.MECHANISMS, **dict(sorted(EXAMPLES.items()))}
 #: Poses of each mechanism: in a usual run, and with all cases.
-FEW, POSES = 40, 200
+FEW, POSES = 20, 200
 #: Pixels of a page 720 high.
 CLOSE = 0.05
 #: Degrees.
@@ -103,7 +103,7 @@ def posed(board: HandBoard, inputs: dict[str, float]) -> dict[str, Sketch]:
     return sketches
 
 
-@pytest.mark.exhaustive(32)
+@pytest.mark.exhaustive(48)
 @pytest.mark.parametrize("name", KINDS)
 def test_one_traced_board_is_the_board_of_every_pose(
     name: str, request: pytest.FixtureRequest

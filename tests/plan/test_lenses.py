@@ -204,6 +204,7 @@ def test_a_problem_gives_nothing_away():
     assert letters == ["a′, d′"]
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize(
     ("name", "pose"),
     [
@@ -316,7 +317,7 @@ def test_no_lens_is_looked_for_where_one_would_not_help(monkeypatch: pytest.Monk
     assert len(tried) <= 2
 
 
-@pytest.mark.exhaustive(24, of="stills")
+@pytest.mark.exhaustive(48, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_lenses_of_all_mechanisms(name: str, step: int):

@@ -94,6 +94,7 @@ def test_a_point_never_stands_in_two_labels():
             assert one != other or not together(first, second)  # a lens takes a letter over
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize(
     ("name", "place"),
     [
@@ -127,10 +128,16 @@ def test_many_letters_of_one_point_stand_in_lines():
 @pytest.mark.exhaustive(48)
 @pytest.mark.parametrize("first", range(0, 72, 9))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
-def test_letters_are_joined_where_points_are_equal(name: str, first: int):
-    """Where two points look alike but differ, two labels name them: a comma says they are equal."""
+def test_letters_are_joined_where_points_are_equal(
+    name: str, first: int, request: pytest.FixtureRequest
+):
+    """Where two points look alike but differ, two labels name them: a comma says they are equal.
+
+    In a usual run one pose in four is looked at.
+    """
     mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))(**RAMS.get(name, {}))
-    for sheet in turn(mechanism, steps=72, some=range(first, first + 9)):
+    every = 1 if request.config.getoption("--exhaustive") else 4
+    for sheet in turn(mechanism, steps=72, some=range(first, first + 9, every)):
         for sketch in planned(sheet).sketches.values():
             panel = sketch.setting.panel
             longest = max((abs(z) for z in corners(panel)), default=0.0)

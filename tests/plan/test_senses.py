@@ -132,7 +132,7 @@ def posed(name: str, place: int) -> Plan:
     return drawn(mechanism, **inputs)
 
 
-@pytest.mark.exhaustive(48)
+@pytest.mark.exhaustive(72)
 @pytest.mark.parametrize("place", range(12))
 @pytest.mark.parametrize("name", sorted({*vad.MECHANISMS, *example_names()}))
 def test_each_rate_is_seen_on_its_link_and_opposite_ones_are_told_apart(name, place):
