@@ -273,10 +273,13 @@ class Crowd:
         self._edge = edge
         self._size = int(edge.height / CELL) + 2, int(edge.width / CELL) + 2
         taken = np.zeros((len(poses), *self._size), dtype=np.int32)
-        pose, at = _points(poses, edge.inside(-_LONGEST / 4))
-        rows, columns = self._cells(at)
-        inside = (rows >= 0) & (rows < self._size[0]) & (columns >= 0) & (columns < self._size[1])
-        taken[pose[inside], rows[inside], columns[inside]] = 1
+        near = edge.inside(-_LONGEST / 4)
+        for cells, pose in zip(taken, poses, strict=True):  # the points of all would fill memory
+            rows, columns = self._cells(_points(pose, near))
+            inside = (
+                (rows >= 0) & (rows < self._size[0]) & (columns >= 0) & (columns < self._size[1])
+            )
+            cells[rows[inside], columns[inside]] = 1
         self._sums = np.zeros((len(poses), self._size[0] + 1, self._size[1] + 1), dtype=np.int32)
         self._sums[:, 1:, 1:] = taken.cumsum(axis=1, dtype=np.int32).cumsum(axis=2, dtype=np.int32)
 
@@ -321,20 +324,19 @@ def _boxes(pose: Obstacles) -> list[tuple[complex, complex, float]]:
     return found
 
 
-def _points(poses: Sequence[Obstacles], near: Rect) -> tuple[Ints, Complexes]:
-    """Return points all over the strokes, and the pose that each belongs to.
+def _points(pose: Obstacles, near: Rect) -> Complexes:
+    """Return points all over the strokes of a pose.
 
     Of a long stroke only what is ``near`` the panel counts.
     """
     strokes = [
-        (number, *part, half)
-        for number, pose in enumerate(poses)
+        (*part, half)
         for start, end, half in (*(line[:3] for line in pose.lines), *_boxes(pose))
         if (part := (start, end) if abs(end - start) <= _LONGEST else near.clipped(start, end))
     ]
     if not strokes:
-        return np.zeros(0, dtype=np.int64), np.zeros(0, dtype=np.complex128)
-    pose, starts, ends, halves = (np.array(column) for column in zip(*strokes, strict=True))
+        return np.zeros(0, dtype=np.complex128)
+    starts, ends, halves = (np.array(column) for column in zip(*strokes, strict=True))
     lengths = np.abs(ends - starts)
     ways = np.where(lengths > 0, (ends - starts) / np.where(lengths > 0, lengths, 1.0), 1.0)
     starts, lengths = starts - halves * ways, lengths + 2 * halves
@@ -346,4 +348,5 @@ def _points(poses: Sequence[Obstacles], near: Rect) -> tuple[Ints, Complexes]:
     first = lengths[which] * (number % along[which]) / (along[which] - 1)
     spread = np.maximum(across[which] - 1, 1)
     second = halves[which] * (2.0 * (number // along[which]) / spread - 1.0)
-    return pose[which], starts[which] + ways[which] * (first + 1j * second)
+    points: Complexes = starts[which] + ways[which] * (first + 1j * second)
+    return points
