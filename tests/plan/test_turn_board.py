@@ -103,6 +103,13 @@ def test_the_clock_says_which_way_the_ram_runs(board: TurnBoard):
     assert "stroke 120 mm" in texts(board.shown(0), "position")
 
 
+LAW = {
+    "en": "as the sine of the time, not uniformly",
+    "de": "als Sinus der Zeit, nicht gleichförmig",
+    "fr": "comme le sinus du temps, non uniformément",
+}
+
+
 @pytest.mark.parametrize(
     ("language", "said"),
     [
@@ -111,9 +118,27 @@ def test_the_clock_says_which_way_the_ram_runs(board: TurnBoard):
         ("fr", "manivelle AB oscille entre 16,5° et 117,0°"),
     ],
 )
-def test_a_crank_that_cannot_go_round_says_so(language: str, said: str):
+def test_a_crank_that_cannot_go_round_says_so_and_how_it_moves(language: str, said: str):
     turn = vad.turn(vad.FourBar(crank=130), panels="position", language=language)
-    assert said in texts(TurnBoard(turn).shown(0), "position")
+    board = TurnBoard(turn)
+    written = texts(board.shown(0), "position")
+    assert {said, LAW[language]} <= set(written)
+    place = board.cycle.place.values
+    low, high = turn.course.ends
+    swing = (low + high) / 2 - (high - low) / 2 * np.cos(2 * np.pi * board.cycle.shares)
+    assert place == pytest.approx(swing)
+    notes = [m.shape for m in marks(board.shown(0), "notes", "position")]
+    law = next(s for s in notes if isinstance(s, Lettering) and s.runs[0].text == LAW[language])
+    assert law.at.imag > board.panels["position"].room.top
+
+
+@pytest.mark.parametrize(
+    ("name", "swings"),
+    [("scissor-lift", True), ("peaucellier", True), ("tipper", True), ("shaper", False)],
+)
+def test_only_a_driver_that_cannot_go_round_moves_as_a_sine(name: str, swings: bool):
+    board = TurnBoard(vad.turn(vad.load(example_path(name))(), panels="position"))
+    assert (LAW["en"] in texts(board.shown(0), "position")) == swings
 
 
 def test_units_are_the_same_in_all_poses_of_a_turn():

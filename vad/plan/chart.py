@@ -1,8 +1,8 @@
 """The curve under a panel: the output over the driver, with a cursor.
 
 The value at the dot is written above, always with the width of the widest one (`FixedWidth`).  A
-line above the mechanism tells the times of a quick return, or the limits of a driver that swings
-(`Clock`).
+line above the mechanism tells the times of a quick return, or the limits of a driver that swings,
+and by which law it does so (`Clock`).
 """
 
 from __future__ import annotations
@@ -335,12 +335,13 @@ class Clock:
 
     It has the strokes of a quick return, the stance and the swing of a foot, or the ends of a
     driver that swings.  On a narrow page it leaves out the lift of a foot, and names a driver by
-    its letters alone.
+    its letters alone.  Below it stands by which law a driver swings: its rates, and all that follow
+    from them, are those of the given pose at one instant only.
 
     Attributes
     ----------
     height
-        The height that it takes of the panel, 0 if there is no such line.
+        The height that its lines take of the panel, 0 if there are none.
     """
 
     def __init__(self, cycle: Cycle, course: Course, sheet: Sheet, room: Rect) -> None:
@@ -370,19 +371,24 @@ class Clock:
             shorter = [say(phrase, part=row.letters, low=low, high=high)]
         else:
             words = []
-        self.height = HEIGHT if words else 0.0
         self._texts = _set(words, room)
         if shorter and _end(self._texts[-1]) > room.right:
             self._texts = _set(shorter, room)
+        self.height, self._law = HEIGHT if words else 0.0, list[Lettering]()
+        if course.swing:
+            lower = Rect(room.left, room.bottom, room.right, room.top - self.height)
+            self._law = _set([say("law of swing")], lower)
+            self.height += HEIGHT
 
     def marks(self, share: float | None = None) -> list[Mark]:
         """Return the line; the stroke in which the share of the cycle lies is dark."""
+        law = [Mark(text, "notes") for text in self._law]
         if self._shaded is None or share is None:
-            return [Mark(text, "notes") for text in self._texts]
+            return [*(Mark(text, "notes") for text in self._texts), *law]
         first, last = self._shaded
         second = ((share - first) % 1.0 < last - first) != self._stands
         roles = ("notes", "words", "notes") if second else ("words", "notes", "notes")
-        return [Mark(text, role) for text, role in zip(self._texts, roles, strict=False)]
+        return [*map(Mark, self._texts, roles), *law]
 
 
 def _set(words: list[str], room: Rect) -> list[Lettering]:

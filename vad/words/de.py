@@ -87,6 +87,7 @@ PHRASES = {
     "flywheel": "Schwungrad für {share}: {value}",
     "swings": "{part} schwingt zwischen {low} und {high}",
     "slides": "{part} läuft zwischen {low} und {high}",
+    "law of swing": "als Sinus der Zeit, nicht gleichförmig",
     # Lageplan
     "fixed": "{letter} ist ein Gestellgelenk.",
     "fixed point": "{letter} ist ein fester Punkt.",

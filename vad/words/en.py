@@ -96,6 +96,7 @@ PHRASES = {
     "flywheel": "flywheel for {share}: {value}",
     "swings": "{part} swings between {low} and {high}",
     "slides": "{part} moves between {low} and {high}",
+    "law of swing": "as the sine of the time, not uniformly",
     # position
     "fixed": "{letter} is a fixed pivot.",
     "fixed point": "{letter} is a fixed point.",

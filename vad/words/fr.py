@@ -92,6 +92,7 @@ PHRASES = {
     "flywheel": "volant pour {share} : {value}",
     "swings": "{part} oscille entre {low} et {high}",
     "slides": "{part} se déplace entre {low} et {high}",
+    "law of swing": "comme le sinus du temps, non uniformément",
     # position
     "fixed": "{letter} est un pivot fixe.",
     "fixed point": "{letter} est un point fixe.",
