@@ -9,23 +9,28 @@ import pytest
 
 import vad
 from tests.plan.test_marks import points
-from vad.lecture.moment import Moment, done
+from vad.files.examples import example_path
+from vad.lecture.moment import Moment, done, smooth
 from vad.lecture.scenes import scene_numbers
 from vad.painting.posed import board_of
 from vad.plan.board import seen
 from vad.plan.geometry import Rect
-from vad.plan.items import HEAD, Item
+from vad.plan.items import HEAD, Item, Level
 from vad.plan.marks import Lettering
 from vad.plan.stage import Stage
 from vad.plan.ways import SLACK, Way, ways
 
 #: What of a polygon and of a mechanism must not stay behind.
 BODIES = ("vector", "whole", "bar", "dot", "joint")
+#: Mechanisms whose polygons have lenses, and one with a scale bar at a lower polygon.
+LENSED = ["peaucellier", "pantograph", "v-engine", "drag-link", "four-bar"]
+BARRED = ["spatial-four-bar"]
 
 
 @cache
 def stage_of(name: str) -> Stage:
-    board = board_of(vad.animate(vad.draw(vad.solve(vad.MECHANISMS[name]()))))
+    kind = vad.MECHANISMS.get(name) or vad.load(example_path(name))
+    board = board_of(vad.animate(vad.draw(vad.solve(kind()))))
     assert isinstance(board, Stage)
     return board
 
@@ -41,6 +46,16 @@ def shown(stage: Stage, beat: int, scene: float) -> list[Item]:
     return [item for item in items if not item.region.endswith(HEAD)]
 
 
+def lenses(items: list[Item]) -> list[Item]:
+    """Return the parts of lenses, and the scale bars that come with a stroke, with their values."""
+    return [
+        item
+        for item in items
+        if item.level == Level.LENS
+        or (item.stroke and any(mark.role == "scale bar" for mark in item.marks))
+    ]
+
+
 @pytest.mark.parametrize("name", ["four-bar", "gate-actuator"])
 def test_whole_polygons_move(name: str):
     """A vector that has flown to its polygon moves with those that were drawn there."""
@@ -48,11 +63,51 @@ def test_whole_polygons_move(name: str):
     for number, beat in enumerate(beats(stage)):
         counts = []
         for scene in (number, number + 0.3, number + 0.7, number + 1):
-            marks = [mark for item in shown(stage, beat, scene) for mark in item.marks]
+            items = [i for i in shown(stage, beat, scene) if i.level != Level.LENS]
+            marks = [mark for item in items for mark in item.marks]
             there = [mark for mark in marks if mark.role in BODIES and mark.at(1.0)]
             counts.append(sorted(mark.role for mark in there if mark.alpha == 1.0))
         assert counts[0]
         assert all(each == counts[0] for each in counts), number
+
+
+@pytest.mark.exhaustive(3)
+@pytest.mark.parametrize("name", LENSED + BARRED)
+def test_lenses_and_scale_bars_stay_whole_and_are_gone_while_panels_move(name: str):
+    """A lens is carried by its panel as one figure while it fades, and so is a scale bar."""
+    stage, found = stage_of(name), 0
+    for number, beat in enumerate(beats(stage)):
+        for share in (0.3, 0.5, 0.7):
+            assert not lenses(shown(stage, beat, number + smooth(share)))
+        for share, end in ((0.2, 0), (0.8, 1)):
+            moving = lenses(shown(stage, beat, number + smooth(share)))
+            still = lenses(shown(stage, beat, number + end))
+            assert len(moving) == len(still)
+            found += len(still)
+            for one, other in panels_of(still, moving):
+                similar(one, other)
+    assert found
+
+
+def panels_of(still: list[Item], moving: list[Item]) -> list[tuple[list[Item], list[Item]]]:
+    """Return the items of each panel, as they stand and as they move."""
+    names = {item.region for item in still}
+    both = list(zip(still, moving, strict=True))
+    return [
+        ([a for a, _ in both if a.region == name], [b for a, b in both if a.region == name])
+        for name in names
+    ]
+
+
+def similar(one: list[Item], other: list[Item]) -> None:
+    """Assert that items are others in another place and size, with less ink, and not turned."""
+    first, second = ([mark for item in items for mark in item.marks] for items in (one, other))
+    starts, ends = ([z for mark in marks for z in points(mark)] for marks in (first, second))
+    far = max(range(len(starts)), key=lambda number: abs(starts[number] - starts[0]))
+    factor = (ends[far] - ends[0]) / (starts[far] - starts[0])
+    assert factor.imag == pytest.approx(0.0, abs=1e-9)
+    assert ends == pytest.approx([ends[0] + factor * (z - starts[0]) for z in starts])
+    assert all(0.0 < b.alpha < a.alpha for a, b in zip(first, second, strict=True))
 
 
 @pytest.mark.parametrize("name", ["four-bar", "gate-actuator"])

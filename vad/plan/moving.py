@@ -3,7 +3,9 @@
 The two layouts show the same panels, so most items have a counterpart: marks with the same role,
 the same ink and the same form.  Such a mark grows or shrinks and moves with its panel
 (`vad.plan.ways`).  What is in one layout only fades on its way, and the head of a panel, a term or
-a row that changes its place fades where it is: on its way it would cross another one.
+a row that changes its place fades where it is: on its way it would cross another one.  A lens and a
+scale bar have other places and sizes in every layout, and their parts would come apart on the way:
+they are gone soon, and come late.
 """
 
 from __future__ import annotations
@@ -12,15 +14,19 @@ from collections import defaultdict
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from vad.lecture.moment import smooth
 from vad.plan.board import reach
 from vad.plan.geometry import Rect
-from vad.plan.items import HEAD, Item
+from vad.plan.items import HEAD, Item, Level
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
 from vad.plan.scene_layout import WORK
 from vad.plan.ways import Way, ways
 
 #: Until this share of a move fades what goes, and from there on appears what comes.
 HALF = 0.5
+#: Until this share of a move fades a lens or a scale bar, after a quarter of its time; another one
+#: appears in the last quarter.
+SOON = smooth(0.25)
 #: Ellipses whose axes and shapes differ by less are alike.
 SAME = 1e-9
 
@@ -55,7 +61,7 @@ class Move:
             waiting[_key(item)].append(item)
         pairs: list[Pair] = []
         for item in before:
-            same = waiting[_key(item)]
+            same = [] if _fades_soon(item) else waiting[_key(item)]
             pairs.append((item, same.pop(0) if same else None))
         left = {id(item) for items in waiting.values() for item in items}
         pairs += [(None, item) for item in after if id(item) in left]
@@ -73,11 +79,11 @@ class Move:
                     for mark in _between(*pair, share, way)
                 )
                 found.append(replace(other, region=self.region, marks=marks))
-            elif one and share < HALF:
-                marks = _faded(self._carried(one, share, from_start=True), 1 - share)
+            elif one and share < _time(one):
+                marks = _faded(self._carried(one, share, from_start=True), 1 - share, _time(one))
                 found.append(replace(one, region=self.region, marks=marks))
-            elif other and share > HALF:
-                marks = _faded(self._carried(other, share, from_start=False), share)
+            elif other and share > 1 - _time(other):
+                marks = _faded(self._carried(other, share, from_start=False), share, _time(other))
                 found.append(replace(other, region=self.region, marks=marks))
         return found
 
@@ -105,6 +111,17 @@ def _place(item: Item) -> str:
     return item.region.rpartition(":")[2]
 
 
+def _fades_soon(item: Item) -> bool:
+    """Tell whether an item belongs to a lens, or is a scale bar with its value in a drawing."""
+    bar = any(mark.role == "scale bar" for mark in item.marks)
+    return item.level == Level.LENS or (bar and not _place(item).endswith(HEAD))
+
+
+def _time(item: Item) -> float:
+    """Return for which share of a move an item shows that has no counterpart."""
+    return SOON if _fades_soon(item) else HALF
+
+
 def _landed(item: Item) -> Item:
     """Return an item without what is gone when it has flown to its place."""
     if not item.grows:
@@ -123,9 +140,9 @@ def _key(item: Item) -> object:
     return place, item.stroke, item.level, item.words, forms, stays
 
 
-def _faded(marks: Iterable[Mark], share: float) -> tuple[Mark, ...]:
-    """Return marks with little ink in the middle of the move, and all of it at its ends."""
-    ink = (share - HALF) / (1.0 - HALF)
+def _faded(marks: Iterable[Mark], share: float, time: float = HALF) -> tuple[Mark, ...]:
+    """Return marks with all their ink at the end of a move, and none a ``time`` before."""
+    ink = (share - 1.0 + time) / time
     return tuple(replace(mark, alpha=ink * mark.alpha, growth=None) for mark in marks)
 
 
