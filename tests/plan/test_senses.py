@@ -192,6 +192,30 @@ def test_arrows_of_opposite_senses_stand_about_one_end_where_there_is_room(name)
     assert "about two ends" not in {fault for fault, _ in faults(board)}
 
 
+@pytest.mark.exhaustive(3)
+@pytest.mark.parametrize("lesson", [False, True])
+@pytest.mark.parametrize(
+    ("name", "link", "pin"),
+    [
+        ("hoeken", "coupler", "B"),
+        ("whitworth-ram", "rod", "B"),
+        ("v-engine", "master_rod", "A"),
+        ("pin-on-rocker", "coupler", "B"),
+    ],
+)
+def test_a_link_without_a_pivot_turns_about_the_joint_that_captions_name(name, link, pin, lesson):
+    mechanism = vad.load(example_path(name))()
+    sheet = vad.draw(vad.solve(mechanism))
+    stroke = next(s for s in sheet.panel("velocity").strokes if link in s.reveals)
+    assert f"as seen from {pin}" in stroke.caption
+    board = plan(sheet, screen((1280, 720)), KEY, lesson)
+    sketch, number = board.sketches["position"], [row.key for row in sheet.rows].index(link)
+    at = next(vertex.at for vertex in sketch.vertices if pin in vertex.letters)
+    own = [each.bow.centre for each in seen(found_senses(board.sketches)) if each.row == number]
+    assert own
+    assert all(abs(centre - at) < 1e-9 for centre in own)
+
+
 @pytest.mark.parametrize(("name", "most"), [("four-bar", 6), ("beam-engine", 120)])
 def test_no_more_places_are_looked_at_than_up_to_the_best(monkeypatch, name, most):
     """The search for the place of a name is what takes long: few arrows come so far."""

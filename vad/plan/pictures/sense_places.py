@@ -83,8 +83,8 @@ ENDS, FARTHEST = 0.012, 0.075
 #: The cosine between two directions that are seen to be opposite.
 AGAINST = -0.85
 #: How much worse an arrow is beside its link, beyond both ends, about an end that is not fixed
-#: where the other one is, and with small letters.
-ASIDE, FAR_END, LOOSE, SMALL = 1.0, 1.5, 1.5, 0.3
+#: where the other one is, about one from which captions do not see it, and with small letters.
+ASIDE, FAR_END, LOOSE, UNSEEN, SMALL = 1.0, 1.5, 1.5, 10.0, 0.3
 #: So many arrows are looked at together, and so many of one sense are tried with one of the other.
 AT_ONCE, MOST_PAIRS = 16, 40
 #: What lies so near the axis of a link belongs to it.
@@ -156,8 +156,11 @@ class Places:
     pivots, joints, ends
         Its fixed pivots, its joints, and all of its lettered points.  An arrow stands about a
         pivot, or beyond another joint, where both see it turn alike.  Without pivots it stands
-        about any joint.  Its middle is nearer to its centre than to any of them outside of its
+        about a joint.  Its middle is nearer to its centre than to any of them outside of its
         circle.
+    seen_from
+        The joint from which captions see a link turn that has no pivot.  About another one an
+        arrow would point against what they say: it stands there only if it has no room here.
     farthest
         How far from the link the middle of an arrow lies at most.
     """
@@ -168,6 +171,7 @@ class Places:
     pivots: Sequence[complex]
     joints: Sequence[complex]
     ends: Sequence[complex]
+    seen_from: complex | None = None
     farthest: float = FARTHEST
 
     def find(
@@ -314,7 +318,10 @@ class Places:
                 across = _across()
                 table = np.hstack([across[:, across[0] < 0.92 * length], _beside(), _past(length)])
                 table[2] += ahead
-                table[4] += LOOSE * (bool(self.pivots) and not _among(at, self.pivots))
+                if self.pivots:
+                    table[4] += LOOSE * (not _among(at, self.pivots))
+                elif self.seen_from is not None:
+                    table[4] += UNSEEN * (not _among(at, [self.seen_from]))
                 tables.append(table)
                 centres.append(np.full(table.shape[1], at))
         return _Arrows(np.concatenate(centres), *np.hstack(tables))

@@ -47,7 +47,8 @@ def found_senses(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
     """Yield the arrows of all rates of a planar mechanism that have clear room on their links.
 
     What turns about a fixed pivot has its arrows about that: about another point of the link they
-    would point against the motion that the picture shows.  Other links have theirs about a joint.
+    would point against the motion that the picture shows.  Other links have theirs about the joint
+    from which captions see them turn.
     """
     for sketch in sketches.values():
         panel = sketch.setting.panel
@@ -71,7 +72,9 @@ def placed_senses(
     for row, _ in order:
         others = [bar for key, own in bars.items() if key != row.key for bar in own]
         ends = _ends(sketch.setting.panel.bodies, row, vertices)
-        places[row.key] = Places(sketch.obstacles, bars[row.key], others, *ends)
+        pin = _seen_from(sketches, row)
+        seen_from = next((each.at for each in vertices if pin in each.letters), None)
+        places[row.key] = Places(sketch.obstacles, bars[row.key], others, *ends, seen_from)
     best: list[tuple[Row, Sense, SensePlace]] = []
     for _ in range(ROUNDS):
         found, short = [], []
@@ -102,6 +105,16 @@ def _ends(
     places = {letter: each.at for each in vertices for letter in own & each.letters.keys()}
     pivots, joints = ([places[z] for z in places if z in some] for some in (fixed, shared))
     return pivots, joints, [*places.values()]
+
+
+def _seen_from(sketches: Mapping[str, Sketch], row: Row) -> str:
+    """Return the point from which captions see a link turn: C moves upwards as seen from B."""
+    if VELOCITY.panel in sketches:
+        setting = sketches[VELOCITY.panel].setting
+        found = measurer(setting.sheet, setting.panel, row)
+        if found and isinstance(found[1].shape, Arrow):
+            return found[1].shape.tail.upper()
+    return row.letters[:1]
 
 
 def senses_of(sketches: Mapping[str, Sketch], row: Row) -> list[Sense]:

@@ -76,7 +76,7 @@ def _about(
         if stroke.name in names and stroke.link == row.key and isinstance(shape, Arc):
             arm = [_arm(sketch, row, shape)]
             axis = arm[0][:1]
-            places = Places(sketch.obstacles, arm, (), axis, axis, arm[0], FARTHEST)
+            places = Places(sketch.obstacles, arm, (), axis, axis, arm[0], farthest=FARTHEST)
             spots = places.find(taken, [(each.sign, each.text) for each in senses])
             for sense, place in zip(senses, spots, strict=True):
                 if place:
