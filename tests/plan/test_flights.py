@@ -19,7 +19,7 @@ from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.items import FLIGHT, Level
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
-from vad.plan.pictures.flights import ARCH, SHORTEST_FLIGHT, Flight
+from vad.plan.pictures.flights import ARCH, SEEN, SHORTEST_FLIGHT, Flight
 from vad.plan.pictures.traces import crossings, strokes_at
 from vad.plan.stage import Stage
 from vad.strokes.sheet import Arrow
@@ -262,6 +262,41 @@ def test_a_stretched_vector_does_not_lie_on_the_rows_of_the_table(kind):
                 assert not any(rows.holds(z) for z in points), item.stroke
                 found += 1
     assert found > 1
+
+
+@pytest.mark.exhaustive(3)
+@pytest.mark.parametrize(
+    "name", ["stephenson-3", "sewing-machine", "leg-from-coordinates", "drag-link", "four-bar"]
+)
+def test_an_image_turns_in_its_panel_and_is_large_only_where_it_lands(name):
+    """Elsewhere it is no larger than its link, or than must be seen."""
+    sheet = vad.draw(vad.solve(vad.load(example_path(name))()))
+    stage, found = Stage(sheet, screen((1280, 720)), KEY, travels(sheet)), 0
+    page, (turn, *_) = stage.regions[FLIGHT], PHASES["image"]
+    for number in range(1, stage.count):
+        scene, large = stage.scene(number), stage.layout(number).large
+        room = scene.sketches[large].setting.room
+        for travel, item, marks in shafts(scene):
+            if not item.stroke.startswith(large):
+                continue
+            home = scene.sketches[travel.source].setting.room
+            for plate in (mark for mark in marks if mark.role == "plate"):
+                small = max(longest(plate.at(0.0)), SEEN) + 1e-9
+                for share in (part / 40 for part in range(41)):
+                    corners = plate.at(share).shape.rings[0]
+                    turns = share <= smooth(turn / (sum(PHASES["image"]) + LANDED))
+                    # Between its legs it moves straight: about a pixel farther out.
+                    assert all((home if turns else page).holds(z, 0.002) for z in corners)
+                    if not all(room.holds(z, 1e-9) for z in corners):
+                        assert longest(plate.at(share)) < small, (item.stroke, share)
+                found += longest(plate.at(1.0)) > small
+    assert found
+
+
+def longest(plate):
+    """Return the length of the longest side of an area."""
+    (ring,) = plate.shape.rings
+    return max(abs(one - other) for one in ring for other in ring)
 
 
 @pytest.mark.parametrize(

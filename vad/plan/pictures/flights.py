@@ -1,9 +1,10 @@
 """What flies in a film from one panel to another: vectors, images of links, and figures.
 
 A vector leaves the link or the velocity that it comes from, turns, is stretched to the scale of its
-polygon, and lands there.  A figure upon a mechanism becomes the polygon whose shape it has.  On a
-page each panel is a picture of its own, which nothing can leave: there a pencil draws the vector,
-and the figure turns into its place within the polygon's panel.
+polygon, and lands there; the image of a link flies first, and grows where it lands.  A figure upon
+a mechanism becomes the polygon whose shape it has.  On a page each panel is a picture of its own,
+which nothing can leave: there a pencil draws the vector, and the figure turns into its place within
+the polygon's panel.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import accumulate, pairwise
+from itertools import accumulate, combinations, pairwise
 
 from vad.lecture.moment import smooth
 from vad.lecture.pace import LANDED, PHASES
@@ -159,8 +160,8 @@ class Flight:
         The beat of the flight.
     index
         The number of the stroke in its panel.
-    source
-        Where its tail and its head are in the panel that it leaves.
+    source, home
+        Where its tail and its head are in the panel that it leaves, and the room of that.
     page, rooms
         In which it stays; the rooms of all panels, over which it is stretched.
     """
@@ -171,6 +172,7 @@ class Flight:
     during: int
     index: int
     source: tuple[complex, complex]
+    home: Rect
     page: Rect
     rooms: Sequence[Rect]
 
@@ -190,7 +192,8 @@ class Flight:
         length = polygon.scale.factor * abs(travel.end - travel.start)
         if min(abs(source[1] - source[0]), length) < SHORTEST_FLIGHT:
             return None
-        return cls(stroke, travel, polygon, polygon.setting.during(index), index, source, *edges)
+        during, home = polygon.setting.during(index), figure.setting.room
+        return cls(stroke, travel, polygon, during, index, source, home, *edges)
 
     @property
     def span(self) -> Span:
@@ -202,6 +205,42 @@ class Flight:
         """Whether a vector flies, and not the image of a link."""
         panel = self.polygon.setting.panel
         return isinstance(panel.strokes[self.index].shape, Arrow)
+
+    @property
+    def corners(self) -> list[complex]:
+        """Tail and head of a vector, or the corners of an image, where they land."""
+        panel, scale = self.polygon.setting.panel, self.polygon.scale
+        ends = [self.travel.start, self.travel.end]
+        if not self.is_vector:
+            own = panel.strokes[self.index].name
+            ends += [z for each in panel.triangles if each.stroke == own for z in each.corners]
+        return [scale(z) for z in ends]
+
+    @property
+    def seen(self) -> float:
+        """How large a copy is while it turns, as a multiple of how it lands."""
+        (tail, head), (start, end, *_) = self.source, self.corners
+        longest = max(abs(one - other) for one, other in combinations(self.corners, 2))
+        return max(abs(head - tail) / abs(end - start), SEEN / longest)
+
+    @property
+    def grows_last(self) -> bool:
+        """Whether it is an image that flies while it is small, and grows where it lands.
+
+        So nothing large lies upon what stands beside its panel.
+        """
+        return not self.is_vector and self.seen < 1.0
+
+    @property
+    def seconds(self) -> Sequence[float]:
+        """The seconds of its phases."""
+        *before, stretch, fly = PHASES[self.travel.kind]
+        return *before, *((fly, stretch) if self.grows_last else (stretch, fly))
+
+    @property
+    def flies(self) -> int:
+        """The number of the phase in which it flies to its panel."""
+        return len(self.seconds) - (2 if self.grows_last else 1)
 
     @property
     def docks(self) -> bool:
@@ -259,42 +298,49 @@ class Flight:
         legs = sides[met.index(min(met))]
         flying = Flying(centre, tuple(legs), tip, full)
         *before, landed = self.landmarks
+        leaves = before[self.flies - 1]
         for mark in (*marks, *edges):
             moved = replace(mark, growth=flying, hangs=None)
             moving.append(moved)
             traces += ghosts(moved, before, landed)
-        traces.append(path(self.paths(centre, legs)[self.docks], before[-1], landed))
+        traces.append(path(self.paths(centre, legs)[self.docks], leaves, landed))
         if self.docks:
-            traces.append(ring(self.polygon.scale(self.travel.end), before[-1], landed))
+            traces.append(ring(self.polygon.scale(self.travel.end), leaves, landed))
         return Item(self.stroke, FLIGHT, Level.STROKE, (*traces, *moving), *self.span)
 
     @property
     def landmarks(self) -> list[float]:
         """The shares of the flight at which its phases end."""
-        seconds = PHASES[self.travel.kind]
+        seconds = self.seconds
         return [smooth(end / (sum(seconds) + LANDED)) for end in accumulate(seconds)]
 
     def paths(self, centre: complex, legs: Sequence[Leg]) -> tuple[list[complex], list[complex]]:
-        """Return the ways of the tail that is seen and of the head in the last phase.
+        """Return the ways of the tail that is seen and of the head in the phase of the flight.
 
         Of a vector that begins with another one, only the rest is seen.
         """
-        last = legs[-PARTS - 1 :]
-        heads = [self.ends(centre, leg)[1] for leg in last]
-        return [centre + leg.offset for leg in last], heads
+        flown = legs[self.flies * PARTS : (self.flies + 1) * PARTS + 1]
+        heads = [self.ends(centre, leg)[1] for leg in flown]
+        return [centre + leg.offset for leg in flown], heads
 
     def legs(self, centre: complex, arch: float) -> Iterator[Leg]:
         """Yield how a point of the polygon, about which all is turned, flies from its source.
 
-        In the last phase it rises by ``arch`` of its way to the left.
+        In the phase of the flight it rises by ``arch`` of its way to the left.  An image turns in
+        the room that it leaves.
         """
         *before, stretched, last = self.stops(centre)
-        stops = [*before, self.over_rooms(centre, stretched), last]
-        seconds = PHASES[self.travel.kind]
+        if not self.grows_last:
+            stretched = self.over_rooms(centre, stretched)
+        stops, seconds = [*before, stretched, last], self.seconds
+        if not self.is_vector:
+            turned = (self.within(self.home, centre, leg) for leg in stops[1 : self.flies + 1])
+            stops[1 : self.flies + 1] = turned
         ends = list(accumulate(seconds, initial=0.0))
         yield stops[0]
         for number, (one, other) in enumerate(pairwise(stops)):
-            high = arch * 1j * (other.offset - one.offset) if other is stops[-1] else 0j
+            high = arch * 1j * (other.offset - one.offset) if number == self.flies else 0j
+            turns = not self.is_vector and number < self.flies
             for part in range(1, PARTS + 1):
                 share = smooth(part / PARTS)
                 time = ends[number] + seconds[number] * part / PARTS
@@ -305,6 +351,8 @@ class Flight:
                     one.factor + share * (other.factor - one.factor),
                     one.degrees + share * (other.degrees - one.degrees),
                 )
+                if turns:
+                    leg = self.within(self.home, centre, leg)
                 yield self.within(self.page, centre, leg)
 
     def over_rooms(self, centre: complex, leg: Leg) -> Leg:
@@ -312,14 +360,14 @@ class Flight:
 
         Beside them stand the rows of the table, which it would cover.
         """
-        tail, head = self.ends(centre, leg)
+        tail, head, *_ = self.ends(centre, leg)
         points = [tail + part / COVERED * (head - tail) for part in range(COVERED + 1)]
         if all(any(room.holds(z, OUTSIDE) for room in self.rooms) for z in points):
             return leg
         return self.within(self.polygon.setting.room, centre, leg)
 
     def within(self, room: Rect, centre: complex, leg: Leg) -> Leg:
-        """Return a leg at which the vector lies in a room, moved if need be."""
+        """Return a leg at which what flies lies in a room, moved if need be."""
         ends = self.ends(centre, leg)
         xs, ys = [z.real for z in ends], [z.imag for z in ends]
         back = complex(
@@ -328,14 +376,10 @@ class Flight:
         )
         return leg._replace(offset=leg.offset + back)
 
-    def ends(self, centre: complex, leg: Leg) -> tuple[complex, complex]:
-        """Return tail and head at a leg."""
-        scale, turn = self.polygon.scale, cmath.rect(leg.factor, math.radians(leg.degrees))
-        tail, head = (
-            centre + turn * (scale(z) - centre) + leg.offset
-            for z in (self.travel.start, self.travel.end)
-        )
-        return tail, head
+    def ends(self, centre: complex, leg: Leg) -> list[complex]:
+        """Return tail and head at a leg, and the further corners of an image."""
+        turn = cmath.rect(leg.factor, math.radians(leg.degrees))
+        return [centre + turn * (z - centre) + leg.offset for z in self.corners]
 
     def stops(self, centre: complex) -> list[Leg]:
         """Return where the flight begins, and where each of its phases ends.
@@ -348,8 +392,7 @@ class Flight:
         whole = scale(self.travel.end) - start
         begin = tail + (head - tail) / whole * (centre - start) - centre
         place = begin + self.lift
-        size = abs(head - tail) / abs(whole)
-        seen = max(size, SEEN / abs(whole))
+        size, seen = abs(head - tail) / abs(whole), self.seen
         oblique = abs(self.travel.oblique)
         tilt = math.degrees(cmath.phase(self.travel.oblique))
         lifted, turned = Leg(0.0, place, seen, tilt - turn), Leg(0.0, place, seen, tilt)
@@ -361,7 +404,9 @@ class Flight:
             "axial": [lifted],
             "image": [turned],
         }
-        stretched = Leg(0.0, place, oblique, tilt)
+        stretched = (
+            turned._replace(offset=0j) if self.grows_last else Leg(0.0, place, oblique, tilt)
+        )
         return [Leg(0.0, begin, size, tilt - turn), *phases[kind], stretched, Leg(0.0, 0j)]
 
     @property
