@@ -163,6 +163,29 @@ def test_the_image_of_a_link_with_three_points_lands_on_its_triangle(
         assert one == pytest.approx(other, abs=6.0) and min(one[2:]) > 30  # with its rim
 
 
+def test_the_image_of_a_link_grows_where_it_lands(browser: Browser, tmp_path: Path) -> None:
+    """While it flies it is as large as its link, so that it does not cover what is beside it."""
+    sheet = vad.draw(vad.solve(vad.load(example_path("stephenson-3"))()))
+    lesson = vad.animate(sheet)
+    known = parts(lesson).data["flights"].items()
+    number, phases = next((place, each[2]) for place, each in known if each[1] == "area")
+    turn, _, fly = (seconds / sum(phases) for seconds in phases)
+    with opened(browser, viewport={"width": 1280, "height": 720}) as page:
+        show(page, tmp_path, document(lesson), f"#step={number}")
+        boxes = []
+        for x in (turn, turn + fly / 2, turn + fly, 1.0 - 1e-6):
+            scrub(page, number + x)
+            boxes.append(page.locator(".air g:last-child path").first.bounding_box())
+    sizes = [(box["width"], box["height"]) for box in boxes]
+    assert sizes[1] == pytest.approx(sizes[0], abs=2.0)
+    assert sizes[2] == pytest.approx(sizes[0], abs=2.0)
+    assert sizes[3][0] > 1.2 * sizes[0][0]
+    small, large = boxes[2:]
+    for low, size in (("x", "width"), ("y", "height")):
+        assert large[low] - 3.0 < small[low]
+        assert small[low] + small[size] < large[low] + large[size] + 3.0
+
+
 def test_each_kind_flies_from_its_panel(flights: dict[int, Any]) -> None:
     found = {each[1]: each[3] for each in flights.values()}
     assert found == {"tangential": 0, "normal": 0, "image": 0, "coriolis": 1}

@@ -1,5 +1,6 @@
 // Vectors that travel, as in films (vad/plan/pictures/flights.py): a copy of a link, or of a velocity,
-// turns, is stretched, and flies to its place in a polygon, in another panel of the page.
+// turns, is stretched, and flies to its place in a polygon, in another panel of the page.  The image of a link
+// that lands larger flies first, and grows there.
 // Its way is dotted, and where its head docks there is a ring.
 //
 // flights(root) -> {flight, draw}. flight(data, marks, svgs, beat) is one, by what vad/page/travels.py says
@@ -32,8 +33,12 @@ function flights(root) {
     };
     const tail = at(source, 0), head = at(source, 2), start = at(to, 4), end = at(to, 6);
     const unit = to.getScreenCTM().a, way = [end.x - start.x, end.y - start.y], whole = Math.hypot(...way);
+    // An area shows when its stroke is done, an arrow grows.
+    const area = kind === "area", all = area ? [...to.querySelectorAll(`[data-s="${beat + 1}"] > path`)].filter((each) => each.closest(".scene") === marks[0].closest(".scene")) : marks;
+    const tip = all.find((each) => each.localName === "path" && filled(each)), shaft = !area && tip?.previousElementSibling;
+    if (!tip) return null;
     const [x, y] = [head.x - tail.x, head.y - tail.y], length = Math.hypot(x, y);
-    const size = length / whole, seen = Math.max(size, SEEN * unit / whole), up = LIFT * unit / length * (x < 0 ? -1 : 1);
+    const size = length / whole, seen = area ? size : Math.max(size, SEEN * unit / whole), up = LIFT * unit / length * (x < 0 ? -1 : 1);
     const lifts = {
       tangential: () => [x, y],
       coriolis: () => way.map((each) => LIFT * unit * each / whole),
@@ -44,20 +49,19 @@ function flights(root) {
     const legs = [[tail.x, tail.y, size, turn]];
     if (lifts[kind]) legs.push([...place, seen, turn]);
     if (lifts[kind] !== lifts.normal) legs.push([...place, seen, tilt]);
-    legs.push([...place, oblique, tilt], [start.x, start.y, 1, 0]);
-    // An area shows when its stroke is done, an arrow grows.
-    const all = kind === "area" ? [...to.querySelectorAll(`[data-s="${beat + 1}"] > path`)].filter((each) => each.closest(".scene") === marks[0].closest(".scene")) : marks;
-    const tip = all.find((each) => each.localName === "path" && filled(each)), shaft = kind !== "area" && tip?.previousElementSibling;
-    return tip ? { kind, source, to, start, way, unit, legs, phases, marks, tip, shaft } : null;
+    const last = area && seen < 1, [stretch, fly] = phases.slice(-2);
+    legs.push(last ? [start.x, start.y, seen, tilt] : [...place, oblique, tilt], [start.x, start.y, 1, 0]);
+    const times = last ? [...phases.slice(0, -2), fly, stretch] : phases, flies = times.length - (last ? 2 : 1);
+    return { kind, source, to, start, way, unit, legs, phases: times, flies, marks, tip, shaft };
   }
 
   // Where its start is after some time, its factor, and by how much it is turned clockwise.
-  function leg({ legs, phases }, time) {
+  function leg({ legs, phases, flies }, time) {
     let n = 0;
     while (n < phases.length - 1 && time > phases[n]) time -= phases[n++];
     const part = smooth(Math.min(1, time / phases[n])), [from, to] = [legs[n], legs[n + 1]];
     const found = from.map((each, i) => each + part * (to[i] - each));
-    if (n === phases.length - 1) found[1] -= 4 * part * (1 - part) * ARCH * Math.hypot(to[0] - from[0], to[1] - from[1]);
+    if (n === flies) found[1] -= 4 * part * (1 - part) * ARCH * Math.hypot(to[0] - from[0], to[1] - from[1]);
     return found;
   }
 
@@ -82,12 +86,17 @@ function flights(root) {
       `<path class="${tip.getAttribute("class")}" transform="translate(${x + dx} ${y + dy}) rotate(${angle}) scale(${head})" d="M0 0-1-.4-.76 0-1 .4z"/></g>`;
   }
 
-  // The way of the tail in the last phase, or of the head that docks in a ring: in the picture's units, as
+  // When it begins to fly to its place.
+  function begins({ phases, flies }) {
+    return phases.slice(0, flies).reduce((sum, each) => sum + each, 0);
+  }
+
+  // The way of the tail as it flies, or of the head that docks in a ring: in the picture's units, as
   // their lines are.
   function trail(flight, [path, ring, radius]) {
-    const { kind, unit, phases } = flight, all = phases.reduce((sum, each) => sum + each), docks = kind === "coriolis", spots = [];
+    const { kind, unit, phases, flies } = flight, docks = kind === "coriolis", spots = [];
     for (let n = 0; n <= PARTS_OF_WAY; n++) {
-      const [x, y, , , dx, dy] = placed(flight, all - phases.at(-1) * (1 - n / PARTS_OF_WAY));
+      const [x, y, , , dx, dy] = placed(flight, begins(flight) + phases[flies] * n / PARTS_OF_WAY);
       spots.push([x + docks * dx, y + docks * dy]);
     }
     const line = spots.map((spot) => spot.map((each) => (each / unit).toFixed(2)).join(" ")).join("L"), [x, y] = spots.at(-1);
@@ -118,7 +127,7 @@ function flights(root) {
       time += each;
       if (share * all > time && share < VANISHING) text += drawn(flight, time, GHOSTS[n]);
     });
-    if (share * all > time) text = trail(flight, looks) + text;
+    if (share * all > begins(flight)) text = trail(flight, looks) + text;
     air.innerHTML = text + drawn(flight, share * all, 1);
   }
 
