@@ -81,7 +81,8 @@ def pytest_collection_finish() -> None:
     gc.enable()
     gc.collect()
     gc.freeze()
-    gc.set_threshold(20_000, 20, 50)
+    gc.collect()  # it counts anew, so that films which tests have let go do not stay
+    gc.set_threshold(4_000, 10, 10)
 
 
 @pytest.fixture(scope="session")
