@@ -350,8 +350,7 @@ PHRASES = {
     "bodies pole acceleration": "Der Pol: das Gestell, 1′.",
     "bodies given": "{label} = {symbol} = {value} {unit}, längs {axis}.",
     "bodies turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} dreht sich "
-        "mit *OI*."
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, das sich mit *τ̇* dreht."
     ),
     "bodies turned coupler": (
         "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: auch in dieser "
@@ -523,9 +522,9 @@ PHRASES = {
         "*P*, *Q* und die Gabeln stehen senkrecht darunter; Kreuz 3 schwenkt um *ψ_P* = {at_p}° "
         "um *P*, um *ψ_Q* = {at_q}° um *Q*."
     ),
-    "hooke T": (
-        "Die Gerade durch die Enden {one} und {other} der Arme trifft die Ebene der Wellen in *T*."
-    ),
+    "hooke T": "Die Gerade durch {one} und {other} trifft die Ebene der Wellen in *T*.",
+    "hooke pin": "{pin}",
+    "hooke other end": "das andere Ende von *O*{pin}",
     "hooke OT": (
         "*T*, senkrecht heruntergelotet, ergibt *OT*: dort schneidet die Ebene des Kreuzes die "
         "der Wellen."
@@ -551,8 +550,7 @@ PHRASES = {
         "*OQ* unverzerrt."
     ),
     "hooke turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} dreht sich "
-        "mit *OT*."
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* dreht."
     ),
     # Kleins Konstruktion
     "klein rod": "Die Gerade der Stange {b}{c}, verlängert.",

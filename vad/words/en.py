@@ -351,8 +351,7 @@ PHRASES = {
     "bodies pole acceleration": "The pole: the frame, 1′.",
     "bodies given": "{label} = {symbol} = {value} {unit}, along {axis}.",
     "bodies turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} turns with "
-        "*OI*."
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, which turns at *τ̇*."
     ),
     "bodies turned coupler": (
         "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} turns in "
@@ -509,10 +508,9 @@ PHRASES = {
         "*P*, *Q* and the yokes stand straight below; cross 3 swings by *ψ_P* = {at_p}° about "
         "*P*, by *ψ_Q* = {at_q}° about *Q*."
     ),
-    "hooke T": (
-        "The line between the ends {one} and {other} of the arms meets the plane of the shafts "
-        "at *T*."
-    ),
+    "hooke T": "The line through {one} and {other} meets the plane of the shafts at *T*.",
+    "hooke pin": "{pin}",
+    "hooke other end": "the other end of *O*{pin}",
     "hooke OT": (
         "*T*, taken straight down, gives *OT*: there the plane of the cross cuts that of the "
         "shafts."
@@ -536,8 +534,7 @@ PHRASES = {
         "are true there."
     ),
     "hooke turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*: {symbol} turns with "
-        "*OT*."
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, which turns at *τ̇*."
     ),
     # Klein's construction
     "klein rod": "The line of the rod {b}{c}, produced.",

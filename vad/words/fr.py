@@ -350,8 +350,7 @@ PHRASES = {
     "bodies pole acceleration": "Le pôle : le bâti, 1′.",
     "bodies given": "{label} = {symbol} = {value} {unit}, suivant {axis}.",
     "bodies turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
-        "avec *OI*."
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, qui tourne à *τ̇*."
     ),
     "bodies turned coupler": (
         "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
@@ -514,9 +513,9 @@ PHRASES = {
         "*P*, *Q* et les fourches sont à l’aplomb ; le croisillon 3 pivote de *ψ_P* = {at_p}° "
         "autour de *P*, de *ψ_Q* = {at_q}° autour de *Q*."
     ),
-    "hooke T": (
-        "La droite qui joint les bouts {one} et {other} des bras perce le plan des arbres en *T*."
-    ),
+    "hooke T": "La droite qui joint {one} et {other} perce le plan des arbres en *T*.",
+    "hooke pin": "{pin}",
+    "hooke other end": "l’autre bout de *O*{pin}",
     "hooke OT": (
         "*T*, reporté à l’aplomb, donne *OT* : là, le plan du croisillon coupe celui des arbres."
     ),
@@ -539,8 +538,7 @@ PHRASES = {
         "sont vrais."
     ),
     "hooke turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT* : {symbol} tourne avec "
-        "*OT*."
+        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇*."
     ),
     # la construction de Klein
     "klein rod": "La droite de la bielle {b}{c}, prolongée.",

@@ -234,3 +234,26 @@ def test_a_sheet_reads_back_from_its_json(shafts: float):
 def test_no_label_lies_on_a_stroke(angle: int):
     assert overlaps(sheet(angle), lesson=True) == []
     assert overlaps(sheet(angle + 30, -20.0, "de")) == []
+
+
+@pytest.mark.parametrize("angle", [20.0, 60.0, 130.0, 200.0, 310.0])
+def test_captions_have_the_signs_of_the_table(angle: float):
+    drawn = sheet(angle)
+    said = [each.caption for each in drawn.panel("acceleration").strokes]
+    cells = [cell for row in drawn.rows for cell in row.cells["acceleration"]]
+    tangential = next(cell.value for cell in cells if cell.symbol == "α₄₂ₜ")
+    caption = next(each for each in said if "α₄₂ₜ = " in each)
+    assert ("−" in caption.partition("α₄₂ₜ = ")[2]) == (tangential < 0.0)
+
+
+def test_an_end_without_a_letter_is_described():
+    captions = [sheet(angle).panel("position").strokes for angle in range(0, 360, 30)]
+    lines = {
+        each.caption
+        for strokes in captions
+        for each in strokes
+        if "meets the plane" in each.caption
+    }
+    assert len(lines) > 1
+    assert not any("′" in each for each in lines)
+    assert any("the other end of O" in each for each in lines)

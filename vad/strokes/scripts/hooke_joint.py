@@ -129,8 +129,8 @@ class Script(BodyScript):
             both = Curve((*fork, *(-z for z in fork)), breaks=(3,))
             bar(f"{shaft}.fork", both, link)
         back, ahead = self.place("Q")[0] < 0.0, self.place("P")[0] < 0.0
-        start, one = select_vector(back, -p, p), "P" + PRIME if back else "P"
-        end, other = select_vector(ahead, q, -q), "Q" if ahead else "Q" + PRIME
+        start, one = select_vector(back, -p, p), self._end("P", not back)
+        end, other = select_vector(ahead, q, -q), self._end("Q", ahead)
         across = Line(start, (end - start) / abs(end - start), end)
         self.tell("T", one=one, other=other)
         construction("PQ.line", across, "cross")
@@ -147,6 +147,10 @@ class Script(BodyScript):
         front = self.note(AXIS + 1.2j, "along", "O.fixed")
         plan = self.note(o - 1.7 + 0.5j, "plan", "2.shaft")
         return self.finished((left,), (right,), front, plan)
+
+    def _end(self, pin: str, lettered: bool) -> Sentence:
+        """Name an end of an arm of the cross: the pin itself, or the other one."""
+        return self.scene.say("hooke pin" if lettered else "hooke other end", pin=pin)
 
     def _ratio(self) -> Sentence:
         """Say what tan θ₄ is."""

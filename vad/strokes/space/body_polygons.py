@@ -124,7 +124,9 @@ class BodyPolygon:
         given = {"absolute": self._says("bodies given", "12", self.crank, given=True)}
         crank = self._vector("12", self.one, self.two, given)
         parts = [self._part(crank, "absolute", bodies.seen(Z), self.crank, dictated=True)]
-        size, symbol = along if self.named else abs(along), RELATIVE[self.order.number]
+        # What the table states has its sign there.
+        size = along if self._is_measured("24") else abs(along)
+        symbol = RELATIVE[self.order.number]
         says: dict[str, Callable[..., Sentence]] = {
             "line": self._line("24"),
             "result": self._says("turning measured", "24", size, symbol),
@@ -183,6 +185,11 @@ class BodyPolygon:
 
     # --- vectors and what is said of them -----------------------------------------------------
 
+    def _is_measured(self, ends: str) -> bool:
+        """Tell whether the vector between two bodies stands in the table."""
+        measured = self.names.measured
+        return not measured or ends in measured[self.order.number]
+
     def _symbol(self, ends: str) -> str:
         """Return ω₃₂ of 23, α₄ of 14."""
         return self.order.symbol + subscript(int(ends[1] if ends[0] == "1" else ends[::-1]))
@@ -198,9 +205,8 @@ class BodyPolygon:
     ) -> SpaceVector:
         names = self.names
         zero = "" if self.named else zero or self._symbol(ends)
-        measured = not names.measured or ends in names.measured[self.order.number]
         own = names.lines.get(ends, ends)
-        more |= {"measured": measured, "says": says, "zero": zero}
+        more |= {"measured": self._is_measured(ends), "says": says, "zero": zero}
         return SpaceVector(own, tail, head, names.rows["43" if ends == "34" else ends], **more)
 
     def _part(
