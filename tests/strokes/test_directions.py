@@ -7,6 +7,9 @@ import math
 import re
 from re import Match, Pattern
 
+import pytest
+
+import vad
 from tests.strokes.motions import (
     ORDERS,
     between,
@@ -21,6 +24,7 @@ from tests.strokes.motions import (
     vector,
 )
 from tests.strokes.wording import WORDING
+from vad.files.examples import example_names, example_path
 from vad.kinematics.linkage import Bar, Slide, Step
 from vad.kinematics.motion import Motion
 from vad.strokes.sheet import Arc, Arrow, Line, Stroke
@@ -314,3 +318,16 @@ def test_a_link_has_one_number(name: str) -> None:
         assert all(len(found) == 1 for found in numbers.values())
         assert len(set.union(*numbers.values())) == len(numbers)
         assert numbers.get(given, {"₂"}) == {"₂"}
+
+
+@pytest.mark.exhaustive(4)
+@pytest.mark.parametrize("name", [*example_names()[::-1], *vad.MECHANISMS])
+def test_a_construction_line_is_drawn_towards_what_it_finds(name: str) -> None:
+    mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))()
+    sheet = vad.draw(vad.solve(mechanism))
+    shapes = [stroke.shape for panel in sheet.panels for stroke in panel.strokes]
+    lines = [shape for shape in shapes if isinstance(shape, Line) and shape.until is not None]
+    assert lines
+    for line in lines:
+        way = (line.until - line.through) * line.direction.conjugate()
+        assert way.real >= -1e-9 * abs(way)

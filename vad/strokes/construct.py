@@ -275,8 +275,9 @@ class _Construction:
         if bar.offset.imag:
             self._link_slot_line(slide, pin)
         else:
+            start, at = self.scene.at(bar.tail), self.scene.at(end)
             line = self.scene.heading(self.frame.heading(bar, self.scene.pose))
-            shape = Line(self.scene.at(bar.tail), line, self.scene.at(end))
+            shape = Line(start, facing(line, at - start), at)  # the block may be behind the pivot
             parts: dict[str, SentencePart] = {"link": Noun(bar.link), "tail": bar.tail, "pin": pin}
             label = bar.tail + pin
             self.ink.draw(
