@@ -118,3 +118,9 @@ def test_a_cluster_without_workers_is_not_waited_for(monkeypatch):
     monkeypatch.setattr(workers, "_PATIENCE", 0.05)
     with pytest.raises(vad.ExportError, match="cluster: it has no workers"):
         list(workers.products([], 1, "tcp://127.0.0.1:1"))
+
+
+def test_other_calculations_of_a_program_do_not_go_there(address):
+    """A cluster that has died would never answer them."""
+    with workers._client(address), pytest.raises(ValueError, match=r"[Nn]o client"):
+        distributed.client.default_client()

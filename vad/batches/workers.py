@@ -188,10 +188,10 @@ def _shared(
 
 
 def _client(address: str) -> Any:
-    """Return a connection to a cluster, which ends with its block."""
+    """Return a connection to a cluster, which ends with its block; arrays of dask do not use it."""
     distributed = from_extra("distributed", "cluster")
     try:
-        return distributed.Client(address, timeout=_PATIENCE, set_as_default=True)
+        return distributed.Client(address, timeout=_PATIENCE, set_as_default=False)
     except Exception as error:  # of the many kinds that its transports have
         said = str(error).partition("\n")[0] or type(error).__name__
         message = f"cluster: nobody answers at {quoted(address)} ({said})"
