@@ -92,6 +92,19 @@ def test_a_number_without_room_at_its_link_flies_to_its_row():
         assert mark.at(1.0) is None
 
 
+@pytest.mark.exhaustive(3)
+@pytest.mark.parametrize("name", ["watt-1", "beam-engine", "shaper", "jansen-leg", "stephenson-3"])
+def test_no_number_flies_again_when_its_row_comes_back(name: str):
+    sheet = vad.draw(vad.solve(vad.load(example_path(name))()))
+    stage, begun = Stage(sheet, screen((1280, 720)), KEY, travels(sheet)), []
+    for scene in range(stage.count):
+        plan, large = stage.scene(scene), stage.layout(scene).large
+        first = plan.sketches[large].setting.during(0)
+        late = {item.stroke for item in sent_of(stage, scene) if item.since >= first}
+        assert not {stroke for stroke in late if stroke.startswith(tuple(begun))}
+        begun.append(large)
+
+
 def test_a_row_of_the_work_says_the_senses_that_the_whole_table_says():
     motion = vad.solve(vad.load(example_path("peaucellier"))(), angle=30.0, alpha=20.0)
     stage = Stage(vad.draw(motion), screen((1280, 720)), KEY)
