@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import compress
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from vad.plan.hodographs import Complexes, Hodographs
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.placing import Placed
-from vad.plan.labels.springs import Ballast, Boxes, Spring, find_spring
+from vad.plan.labels.springs import Ballast, Box, Spring, find_spring
 from vad.plan.labels.vertices import LETTER, SMALL_SIZE, lettered, text_beside
 from vad.plan.lens import Lens
 from vad.plan.lettering.glyphs import ink_size
@@ -36,11 +37,15 @@ FADING = 0.025  # so far from the edge a label goes, and where a vector is twice
 SHOWN = 0.5
 #: A label that stands farther from its dot is led to it by a line; from there on the line appears.
 FAR, LEADER_APPEARS, LEADER_GAP = 20.0 * PIXEL, 4.0 * PIXEL, 5.0 * PIXEL
+#: How often the place of each label is looked for, the last times among all others.
+SWEEPS = 2
 #: The components of vectors that have a name of their own.
 NAMED = ("coriolis", "force", *UPON)
 
 #: How far inside the window in which a picture is seen a place is at a phase; less than 0 outside.
 Inside = Callable[[complex, float], float]
+#: Text, letters, vector and row of a `Name`.
+Wanted = tuple[str, tuple[Spot, ...], str, int | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +107,7 @@ class TurnLabels:
         """Find where the letters of ``groups``, and the names of vectors, stand in all poses."""
         self._radius = among.radius
         phases = [number / len(poses) for number in range(len(poses))]
-        wanted: list[tuple[str, tuple[Spot, ...], str, int | None]] = [
+        wanted: list[Wanted] = [
             (", ".join(spot.letter for spot in group), group, "", None) for group in groups
         ]
         wanted += [
@@ -113,16 +118,10 @@ class TurnLabels:
         for _, letters, vector, _ in wanted:
             places = [self._spot(letters, vector, *at) for at in zip(poses, phases, strict=True)]
             dots.append(np.array([at if alpha > 0.0 else np.nan for at, alpha in places]))
-        placed: Boxes = []
-        for (text, letters, vector, row), own in zip(wanted, dots, strict=True):
-            if not np.isfinite(own).any():
+        springs = self._springs(wanted, dots, among)
+        for (text, letters, vector, row), own, spring in zip(wanted, dots, springs, strict=True):
+            if spring is None:
                 continue
-            # A vector's name belongs to no dot.
-            others = zip(wanted, dots, strict=True)
-            rivals = (
-                [] if vector else [at for (_, _, v, _), at in others if not v and at is not own]
-            )
-            spring = find_spring(own, self._size(text, vector), rivals, among, placed)
             anchor = Anchor(((vector, "start"), (vector, "end")))
             if not vector:
                 seen = [not is_far(letters[0], pose) for pose in poses]
@@ -130,6 +129,31 @@ class TurnLabels:
                 solved = Solved(poses[first], self._scale)
                 anchor = self._anchor(letters, complex(own[first]), solved)
             self.names.append(Name(text, letters, vector, row, spring, anchor))
+
+    def _springs(
+        self, wanted: Sequence[Wanted], dots: Sequence[Complexes], among: Ballast
+    ) -> list[Spring | None]:
+        """Return how each label moves; None of one whose dot is never to be seen.
+
+        Each makes way for those before it, and then again for all others.
+        """
+        found = list[Spring | None]([None] * len(wanted))
+        boxes: dict[int, Box] = {}
+        of_letters = [not vector for _, _, vector, _ in wanted]
+        for number in [*range(len(wanted))] * SWEEPS:
+            (text, _, vector, _), own = wanted[number], dots[number]
+            if not np.isfinite(own).any():
+                continue
+            # A vector's name belongs to no dot.
+            rivals = [] if vector else [at for at in compress(dots, of_letters) if at is not own]
+            placed = [box for other, box in boxes.items() if other != number]
+            spring = find_spring(own, self._size(text, vector), rivals, among, placed)
+            boxes[number] = (
+                np.where(spring.shown, own + spring.offsets, np.nan),
+                self._size(text, vector),
+            )
+            found[number] = spring
+        return found
 
     def _size(self, text: str, vector: str) -> tuple[float, float]:
         return ink_size(symbols(text), SMALL_SIZE if vector else self._letter)

@@ -308,5 +308,6 @@ def with_lens(
     for each in sketches:
         each.line(circle(lens.at, lens.radius + BEYOND), BEYOND)
     crowd, none = Crowd(lens.box, sketches), Crowd(lens.box, [Obstacles(lens.box)])
-    labels.place(groups, poses, Ballast(lens.box, crowd, none, polygon.radius))
+    rim = lens.at, lens.radius
+    labels.place(groups, poses, Ballast(lens.box, crowd, none, polygon.radius, rim))
     return TurnLens(found.spot, spans, inner, labels)

@@ -33,13 +33,16 @@ POSES = 120
 FASTEST = 22.0 * PIXEL
 
 # What a label pays in each pose: for standing where it should not …
-_CROSSED, _OUTSIDE, _COVERED, _MISREAD, _CLOSE, _ON_WAY = 30.0, 60.0, 200.0, 8.0, 2.0, 0.4
+_CROSSED, _OUTSIDE, _COVERED, _CLOSE, _ON_WAY = 30.0, 60.0, 200.0, 2.0, 0.4
+_ON_DOT, _EXCHANGED, _MISREAD = 200.0, 60.0, 8.0
 _PER_CELL = 0.15
 _FIRST = 4.0  # so many times as much in the first pose, which is drawn as a still, too
 _FAR = np.array([0.0, 0.1, 0.4, 1.0, 2.0, 3.5])
 _STIFF = 2.0  # … and for moving on as fast as it may.
 _APART = (0.020, 0.006)  # between labels, aside and above
 _NEARER = 1.3  # by this factor a label is nearer to its own dot than to any other
+#: So far from its dot a label is led to it by a line.
+LED = 16.0 * PIXEL
 _MET = 2.0 * PIXEL  # so near to a stroke a label is not visible any more
 _ACROSS = 4  # for so many poses it may lie on strokes while it glides across them
 _CLEAR = 1  # poses before and after an absence, in which it is absent, too
@@ -72,12 +75,23 @@ class Ballast:
         The paths that labels should not cover, if possible: the hodographs.
     radius
         That of every dot.
+    rim
+        The centre and the radius of the circle out of which no label stands, if there is one.
     """
 
     edge: Rect
     strokes: Crowd
     ways: Crowd
     radius: float
+    rim: tuple[complex, float] | None = None
+
+    def beyond_rim(self, centres: Complexes, size: tuple[float, float]) -> Bools:
+        """Tell which boxes are not within the circle."""
+        at, radius = self.rim or (0j, math.inf)
+        away = centres - at
+        corner = np.hypot(np.abs(away.real) + size[0] / 2, np.abs(away.imag) + size[1] / 2)
+        beyond: Bools = corner > radius
+        return beyond
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,7 +112,7 @@ class Spring:
         return complex((1 - share) * self.offsets[first] + share * self.offsets[last])
 
 
-Boxes = list[tuple[Complexes, tuple[float, float]]]
+Box = tuple[Complexes, tuple[float, float]]
 
 
 def find_spring(
@@ -106,9 +120,12 @@ def find_spring(
     size: tuple[float, float],
     rivals: Sequence[Complexes],
     among: Ballast,
-    placed: Boxes,
+    placed: Sequence[Box],
 ) -> Spring:
-    """Return how a label moves about its dot, and add its boxes to those ``placed``.
+    """Return how a label moves about its dot.
+
+    It never stands on another dot, and is nearer to its own than to any other but for a moment, or
+    where a line leads to it.
 
     Parameters
     ----------
@@ -121,26 +138,33 @@ def find_spring(
     among
         Its panel.
     placed
-        The labels that stand already: their centres in each pose, and their sizes.
+        The labels that stand already: the centres of each in each pose, and its size.
     """
     table = _table(size, among.radius)
     seen = np.isfinite(dots)
-    costs = _costs(np.where(seen, dots, among.edge.centre), table, size, rivals, among, placed)
+    about = np.where(seen, dots, among.edge.centre)
+    # A dot that lies over its own is no other one.
+    others = [np.where(np.abs(rival - about) > among.radius, rival, np.nan) for rival in rivals]
+    costs = _costs(about, table, size, others, among, placed)
     costs[~seen] = 0.0
     costs[0] *= _FIRST
     path = _cheapest(costs, *_moves(table))
-    about = np.where(seen, dots, among.edge.centre)
+
+    def hides(offsets: Complexes) -> Bools:
+        centres = about + offsets
+        near = _nearest(centres, size, others) < among.radius + _MET
+        return seen & (near | among.beyond_rim(centres, size))
 
     def meets(offsets: Complexes) -> Bools:
         centres = (about + offsets)[:, None]
         met = among.strokes.count(centres, size, _MET)[:, 0] > 0
         met |= _covered(centres, size, placed, (0.0, 0.0))[:, 0]
-        return met & seen
+        own = _distance(offsets, (size[0] / 2, size[1] / 2))
+        met |= (own < among.radius + LED) & (own > _nearest(about + offsets, size, others))
+        return (met & seen) | hides(offsets)
 
     offsets = _calm(table[path], meets)
-    shown = _shown(meets(offsets))
-    placed.append((np.where(seen & shown, about + offsets, np.nan), size))
-    return Spring(offsets, shown)
+    return Spring(offsets, _shown(meets(offsets), hides(offsets)))
 
 
 def _table(size: tuple[float, float], radius: float) -> Complexes:
@@ -155,7 +179,7 @@ def _costs(
     size: tuple[float, float],
     rivals: Sequence[Complexes],
     among: Ballast,
-    placed: Boxes,
+    placed: Sequence[Box],
 ) -> Reals:
     """Return what each place (columns) costs in each pose (rows)."""
     centres = dots[:, None] + table
@@ -164,6 +188,7 @@ def _costs(
     inside = (x - half[0] >= edge.left) & (x + half[0] <= edge.right)
     inside &= (y - half[1] >= edge.bottom) & (y + half[1] <= edge.top)
     cost: Reals = np.where(inside, 0.0, _OUTSIDE) + np.tile(_FAR, DIRECTIONS)
+    cost += np.where(among.beyond_rim(centres, size), _ON_DOT, 0.0)
     crossed = among.strokes.count(centres, size, _MET)
     cost += np.where(crossed > 0, _CROSSED + _PER_CELL * crossed, 0.0)
     cost += np.where(among.strokes.count(centres, size, CLEARANCE) > 0, _CLOSE, 0.0)
@@ -173,11 +198,21 @@ def _costs(
     for rival in rivals:
         away = _distance(centres - rival[:, None], half)
         cost += np.where(away < np.minimum(_NEARER * own, 0.05), _MISREAD, 0.0)
+        cost += np.where(away < own, _EXCHANGED, 0.0)
+        cost += np.where(away < among.radius + _MET, _ON_DOT, 0.0)
     return cost
 
 
+def _nearest(centres: Complexes, size: tuple[float, float], dots: Sequence[Complexes]) -> Reals:
+    """Return how far a label is in each pose from the nearest of some dots."""
+    half, found = (size[0] / 2, size[1] / 2), np.full(len(centres), np.inf)
+    for dot in dots:
+        found = np.fmin(found, _distance(centres - dot, half))
+    return found
+
+
 def _covered(
-    centres: Complexes, size: tuple[float, float], placed: Boxes, apart: tuple[float, float]
+    centres: Complexes, size: tuple[float, float], placed: Sequence[Box], apart: tuple[float, float]
 ) -> Bools:
     """Tell where a label would be nearer to another one than it may be."""
     found = np.zeros(centres.shape, dtype=np.bool_)
@@ -188,14 +223,18 @@ def _covered(
     return found
 
 
-def _shown(met: Bools) -> Bools:
-    """Tell in which poses a label shows that is absent where a stroke meets it for long."""
+def _shown(met: Bools, hides: Bools) -> Bools:
+    """Tell in which poses a label shows.
+
+    It is absent where a stroke meets it for long, and while it would hide another dot or leave a
+    lens.
+    """
     if met.all():
         return ~met
     shown: Bools = np.ones(len(met), dtype=np.bool_)
     for first in np.flatnonzero(met & ~np.roll(met, 1)).tolist():
         length = int(np.roll(met, -first).argmin())
-        if length > _ACROSS:
+        if length > _ACROSS or np.roll(hides, -first)[:length].any():
             away = np.arange(first - _CLEAR, first + length + _CLEAR)
             shown[away % len(met)] = False
     if shown.all() or not shown.any():
@@ -249,14 +288,24 @@ def _cheapest(costs: Reals, sources: Ints, prices: Reals) -> Ints:
 
 
 def _calm(offsets: Complexes, meets: Callable[[Complexes], Bools]) -> Complexes:
-    """Return offsets that are smoothed as far as that lets their label meet nothing more."""
+    """Return offsets that are smoothed as far as that lets their label meet nothing more.
+
+    From one pose to the next that changes by no more than lets the label be followed.
+    """
     smooth, share = _smooth(offsets), np.ones(len(offsets))
     unavoidable = meets(offsets)
     for _ in range(_ROUNDS):
         met = meets(offsets + share * (smooth - offsets)) & ~unavoidable
         for shift, most in _EASED.items():
             share = np.where(np.roll(met, shift), np.minimum(share, most), share)
-    return offsets + share * (smooth - offsets)
+    while True:
+        calm: Complexes = offsets + share * (smooth - offsets)
+        fast = np.abs(np.roll(calm, -1) - calm) > (1.0 + 1e-9) * FASTEST
+        even = np.minimum(share, np.roll(share, -1))
+        slower = np.minimum(np.where(fast, even, share), np.roll(np.where(fast, even, 1.0), 1))
+        if (slower == share).all():
+            return calm
+        share = slower
 
 
 def _smooth(values: Complexes) -> Complexes:
