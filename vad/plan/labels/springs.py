@@ -298,7 +298,7 @@ def _calm(offsets: Complexes, meets: Callable[[Complexes], Bools]) -> Complexes:
         met = meets(offsets + share * (smooth - offsets)) & ~unavoidable
         for shift, most in _EASED.items():
             share = np.where(np.roll(met, shift), np.minimum(share, most), share)
-    while True:
+    while True:  # each round smooths some pose less
         calm: Complexes = offsets + share * (smooth - offsets)
         fast = np.abs(np.roll(calm, -1) - calm) > (1.0 + 1e-9) * FASTEST
         even = np.minimum(share, np.roll(share, -1))
