@@ -175,3 +175,19 @@ def test_no_two_results_of_a_panel_have_one_symbol(name: str) -> None:
     for panel in sheet.panels:
         symbols = [cell.symbol for row in sheet.rows for cell in row.cells.get(panel.name, ())]
         assert len(symbols) == len(set(symbols)) > 0
+
+
+@pytest.mark.parametrize(
+    ("name", "ending"),
+    [
+        ("offset-lever", "measured along the slot from its point nearest to D."),
+        ("pin-on-rocker", "measured along the slot from its point nearest to D."),
+        ("whitworth-ram", "measured from O4."),
+    ],
+)
+def test_a_place_on_a_slot_beside_its_pivot_is_not_the_distance_from_it(
+    name: str, ending: str
+) -> None:
+    captions = said(vad.draw(vad.solve(vad.load(example_path(name))())))
+    [caption] = [text for text in captions.values() if " stands at s = " in text]
+    assert caption.endswith(ending)

@@ -147,16 +147,17 @@ class PositionPencil:
         on = slide.along if isinstance(slide.along, str) else None
         driven = scalar_of(slide) == self.scene.driver
         symbol = self.scene.members.slide_symbol(slide.name)
+        start, beside = self._measured_from(slide)
         parts: dict[str, SentencePart] = {
             "slide": self.scene.members.slider(slide),
             "head": letter,
             "symbol": symbol,
             "value": Figure(self.scene.motion.slide(slide.name).position, self.scene.unit, driven),
             "unit": Unit(self.scene.unit),
-            "tail": self._measured_from(slide),
+            "tail": start,
         }
         if symbol == "s":
-            phrase += " from"
+            phrase += " beside" if beside and not driven else " from"
         self.join(slide.name, letter)
         self._record_ride(slide)
         self.draw(
@@ -186,11 +187,14 @@ class PositionPencil:
         if isinstance(slide.along, str) and slide.tail in self.scene.members.points:
             self._under.append(Coincidence((slide.head, slide.tail), "under"))
 
-    def _measured_from(self, slide: Slide) -> str:
-        """Return the point from which a slide's position counts: a lever's pivot, a line's tail."""
+    def _measured_from(self, slide: Slide) -> tuple[str, bool]:
+        """Return the point from which a slide's position counts, and whether its line passes it.
+
+        That is a lever's pivot, or a line's tail.  A slot may pass a pivot at a distance.
+        """
         bars = (step for step in self.scene.members.frame.steps if isinstance(step, Bar))
-        pivots = (bar.tail for bar in bars if bar.length == slide.name)
-        return next(pivots, slide.tail)
+        levers = ((bar.tail, bool(bar.offset.imag)) for bar in bars if bar.length == slide.name)
+        return next(levers, (slide.tail, False))
 
 
 def hull(places: Mapping[str, complex]) -> tuple[str, ...]:

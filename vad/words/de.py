@@ -117,6 +117,10 @@ PHRASES = {
     "bar": "{link:Der} {bar} steht bei {symbol} = {angle}°.",
     "block": "{slide:Der} {head} steht bei {symbol} = {value} {unit}.",
     "block from": ("{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus."),
+    "block beside": (
+        "{slide:Der} {head} steht bei {symbol} = {value} {unit}, im Schlitz gemessen von dem "
+        "Punkt aus, der {tail} am nächsten liegt."
+    ),
     "plate": "{link:Der} ist der starre Körper {corners}.",
     "third point": "{letter} ist der Schnittpunkt der Bögen: {corners} behält seinen Umlaufsinn.",
     "on link slot": "{letter} ist der Schnittpunkt des Bogens mit der Geraden des Schlitzes.",

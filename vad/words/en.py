@@ -125,6 +125,10 @@ PHRASES = {
     "bar": "The {link} {bar} stands at {symbol} = {angle}°.",
     "block": "The {slide} {head} stands at {symbol} = {value} {unit}.",
     "block from": "The {slide} {head} stands at {symbol} = {value} {unit}, measured from {tail}.",
+    "block beside": (
+        "The {slide} {head} stands at {symbol} = {value} {unit}, measured along the slot from its "
+        "point nearest to {tail}."
+    ),
     "plate": "The {link} is one rigid piece with the corners {corners}.",
     "third point": "{letter} is where both arcs cross: {corners} keeps its sense.",
     "on link slot": "{letter} is where the arc meets the line of the slot.",

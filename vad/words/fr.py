@@ -122,6 +122,10 @@ PHRASES = {
     "bar": "{link:Le} {bar} fait un angle {symbol} = {angle}° avec l’axe *x*.",
     "block": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}.",
     "block from": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, mesuré depuis {tail}.",
+    "block beside": (
+        "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, mesuré dans la rainure depuis "
+        "son point le plus proche de {tail}."
+    ),
     "plate": "{link:Le} est une pièce rigide de sommets {corners}.",
     "third point": "{letter} est à l’intersection des deux arcs : {corners} garde son sens.",
     "on link slot": "{letter} est à l’intersection de l’arc et de l’axe de la rainure.",
