@@ -1,8 +1,8 @@
 """The lens of a turn: while all vectors of a polygon are small, they are shown once more, larger.
 
 Its place and its factor never change.  It comes when every point is so near to the others that it
-has room for all of them, and goes when one is farther away by a `HYSTERESIS`; once in a turn, and
-twice if it stays long.
+has room for all of them, and is gone when the first one meets its rim; once in a turn, and twice if
+it stays long.
 """
 
 from __future__ import annotations
@@ -45,12 +45,10 @@ Reals = NDArray[np.float64]
 #: A polygon is small while its longest vector from the pole is shorter; a lens is needed where it
 #: is so for that share of the turn.
 SMALL, PART = 45.0 * PIXEL, 0.25
-#: It goes when a point is so many times as far away as when it came.
-HYSTERESIS = 1.3
 #: The seconds in which it comes and goes.
 FADE = 0.3
 #: How many times as large it shows what is there.
-FACTORS = (2.0, 4.0, 8.0, 20.0, 50.0, 100.0, 200.0)
+FACTORS = (2.0, 3.0, 4.0, 6.0, 8.0, 20.0, 50.0, 100.0, 200.0)
 #: From the rim of a lens to the dots that it has room for.
 INSIDE = 0.012
 #: From the rim to what else is in the panel.
@@ -67,7 +65,7 @@ LEAST_SPAN = 4.0
 LONG_SPAN = 0.2
 #: It makes up for at least that share of what small vectors lack, and covers no more of the
 #: hodographs than that.
-LEAST_GAIN, COVERED = 0.4, 0.05
+LEAST_GAIN, COVERED = 0.3, 0.05
 #: Of the samples of a hodograph one in so many is looked at.
 THINNED = 8
 #: Half the width of the ring beyond the rim, in which no letter stands.
@@ -205,8 +203,8 @@ def find_lens(polygon: Polygon, ways: Hodographs, opening: float, fade: float) -
     times = opening + np.linspace(0.0, 1.0, len(small))[small]
     best: tuple[float, Found | None] = LEAST_GAIN, None
     for radius, factor in product(np.linspace(LARGEST_ALONE, SMALLEST, RADII).tolist(), FACTORS):
-        limit = (radius - INSIDE) / factor
-        spans = _spans(reach, limit, opening, fade)
+        limit, most = (radius - INSIDE) / factor, (radius - polygon.radius) / factor
+        spans = _spans(reach, limit, most, opening, fade)
         shown = [spans.shows(time) for time in times.tolist()]
         gain = ((np.minimum(factor * lengths, 1.0) - lengths) * shown).sum() / (1.0 - lengths).sum()
         words = words_of(setting, polygon.scale, factor)
@@ -214,16 +212,19 @@ def find_lens(polygon: Polygon, ways: Hodographs, opening: float, fade: float) -
             if gain <= best[0]:
                 break
             lens = Lens(middle + shift, max(LEAST_RING, radius / factor), factor, 0j, radius)
-            spot, covered = _place(polygon, lens, words, drawn + shift, HYSTERESIS * limit)
+            spot, covered = _place(polygon, lens, words, drawn + shift, most)
             if spot and covered <= COVERED and gain - covered > best[0]:
                 best = float(gain) - covered, Found(shift, spot, spans)
     return best[1]
 
 
-def _spans(reach: Reals, limit: float, opening: float, fade: float) -> Spans:
-    """Return when a lens is there that comes at a ``limit`` of the reach."""
+def _spans(reach: Reals, limit: float, most: float, opening: float, fade: float) -> Spans:
+    """Return when a lens is there that comes at a ``limit`` of the reach, and is gone at the most.
+
+    It fades away before that.
+    """
     count = len(reach) - 1
-    near, far = reach[:count] <= limit, reach[:count] > HYSTERESIS * limit
+    near, far = reach[:count] <= limit, reach[:count] > most
     if not far.any():
         return Spans(((0.0, 1.0),) if near.any() else (), fade)
     first = int(far.argmax())
@@ -232,8 +233,9 @@ def _spans(reach: Reals, limit: float, opening: float, fade: float) -> Spans:
         if since is None and near[number % count]:
             since = number
         elif since is not None and far[number % count]:
-            if number - since > LEAST_SPAN * fade * count:
-                ends.append((since / count + opening, number / count + opening))
+            last = number - 1 - fade * count
+            if last - since > LEAST_SPAN * fade * count:
+                ends.append((since / count + opening, last / count + opening))
             since = None
     # One that came and went often, or for a short time, would flicker.
     longest = sorted(ends, key=lambda end: end[0] - end[1])
