@@ -73,15 +73,12 @@ def pytest_collection() -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Let the collector of garbage pass over what is there for the whole run.
+    """Let the collector of garbage run less often: drawings are many small objects that stay.
 
-    Thousands of tests and modules are a big heap, and it would walk through them again and again:
-    that is a tenth of the time of tests that draw.
+    Films which tests have let go must not stay, either, so it may not wait for long.
     """
     gc.enable()
     gc.collect()
-    gc.freeze()
-    gc.collect()  # it counts anew, so that films which tests have let go do not stay
     gc.set_threshold(4_000, 10, 10)
 
 
