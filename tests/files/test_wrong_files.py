@@ -258,7 +258,7 @@ def test_a_driver_that_drives_nothing():
 def test_two_links_that_are_one():
     """The count of freedoms is 1, but it is the pivot D that is free."""
     error = example_with("roberts", ('DC = "side"', 'BP = "side"'))
-    assert "line 15: rocker: has B and P in common with coupler, so both are one" in str(error)
+    assert "line 16: rocker: has B and P in common with coupler, so both are one" in str(error)
 
 
 @pytest.mark.parametrize(
