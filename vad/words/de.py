@@ -527,7 +527,6 @@ PHRASES = {
         "um *P*, um *ψ_Q* = {at_q}° um *Q*."
     ),
     "hooke T": "Die Gerade durch {one} und {other} trifft die Ebene der Wellen in *T*.",
-    "hooke pin": "{pin}",
     "hooke other end": "das andere Ende von *O*{pin}",
     "hooke OT": (
         "*T*, senkrecht heruntergelotet, ergibt *OT*: dort schneidet die Ebene des Kreuzes die "

@@ -513,7 +513,6 @@ PHRASES = {
         "*P*, by *ψ_Q* = {at_q}° about *Q*."
     ),
     "hooke T": "The line through {one} and {other} meets the plane of the shafts at *T*.",
-    "hooke pin": "{pin}",
     "hooke other end": "the other end of *O*{pin}",
     "hooke OT": (
         "*T*, taken straight down, gives *OT*: there the plane of the cross cuts that of the "

@@ -518,7 +518,6 @@ PHRASES = {
         "autour de *P*, de *ψ_Q* = {at_q}° autour de *Q*."
     ),
     "hooke T": "La droite qui joint {one} et {other} perce le plan des arbres en *T*.",
-    "hooke pin": "{pin}",
     "hooke other end": "l’autre bout de *O*{pin}",
     "hooke OT": (
         "*T*, reporté à l’aplomb, donne *OT* : là, le plan du croisillon coupe celui des arbres."

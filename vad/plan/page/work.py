@@ -109,7 +109,8 @@ def in_work(
     begun = [0, *(sketches[each.half.name].setting.during(each.first) for each in told[1:])]
     for part, span in zip(told, zip(begun, [*begun[1:], FOREVER], strict=True), strict=True):
         words = _Words(sheet, panel, sketches, room, SHORT_KEY * key, part, span, flies, turns)
-        yield from words.items()
+        # What was measured before the rows came to stand here is not new in them.
+        yield from (item for item in words.items() if item.since < item.until)
 
 
 @dataclass(frozen=True, slots=True)

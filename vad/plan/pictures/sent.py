@@ -74,9 +74,7 @@ def to_rows(
     done = {item.stroke for item in senses}
     for item in rows:
         mark = item.marks[0]
-        if not item.grows or item.since >= item.until:  # found before the rows came to stand here
-            continue
-        if item.stroke not in numbers.keys() - done:
+        if not item.grows or item.stroke not in numbers.keys() - done:
             continue
         assert isinstance(mark.shape, Lettering)
         done.add(item.stroke)

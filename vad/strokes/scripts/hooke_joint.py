@@ -13,7 +13,7 @@ from vad.kinematics.elementary import unit_at
 from vad.kinematics.numbers import ray, select_vector, vector, wrap
 from vad.kinematics.space.numbers import added, over, scaled
 from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Order, Spot
-from vad.strokes.sentences import Sentence
+from vad.strokes.sentences import Sentence, SentencePart
 from vad.strokes.sheet import Arc, Arrow, Cell, Curve, Dot, Ellipse, Line, Term
 from vad.strokes.space.bars import magnitude
 from vad.strokes.space.body_polygons import RELATIVE, TURNED, BodyScript, Names
@@ -148,9 +148,9 @@ class Script(BodyScript):
         plan = self.note(o - 1.7 + 0.5j, "plan", "2.shaft")
         return self.finished((left,), (right,), front, plan)
 
-    def _end(self, pin: str, lettered: bool) -> Sentence:
+    def _end(self, pin: str, lettered: bool) -> SentencePart:
         """Name an end of an arm of the cross: the pin itself, or the other one."""
-        return self.scene.say("hooke pin" if lettered else "hooke other end", pin=pin)
+        return pin if lettered else self.scene.say("hooke other end", pin=pin)
 
     def _ratio(self) -> Sentence:
         """Say what tan θ₄ is."""
