@@ -19,7 +19,7 @@ from vad.plan.hodographs import Complexes, Hodographs
 from vad.plan.items import Level
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.placing import Placed
-from vad.plan.labels.springs import Ballast, Box, Spring, find_spring
+from vad.plan.labels.springs import LED, Ballast, Box, Spring, find_spring
 from vad.plan.labels.vertices import LETTER, SMALL_SIZE, lettered, text_beside
 from vad.plan.lens import Lens
 from vad.plan.lettering.glyphs import ink_size
@@ -35,8 +35,10 @@ from vad.strokes.sheet import Arrow, Panel, Stroke
 FADING = 0.025  # so far from the edge a label goes, and where a vector is twice as short
 #: A label shows in full from this share of its ink on, and else not at all.
 SHOWN = 0.5
-#: A label that stands farther from its dot is led to it by a line; from there on the line appears.
-FAR, LEADER_APPEARS, LEADER_GAP = 20.0 * PIXEL, 4.0 * PIXEL, 5.0 * PIXEL
+#: Over that distance the line of a label appears, which is led to its dot; how far it ends from it.
+LEADER_APPEARS, LEADER_GAP = 4.0 * PIXEL, 5.0 * PIXEL
+#: A label that stands farther from its dot has the line in full ink.
+FAR = LED + LEADER_APPEARS
 #: How often the place of each label is looked for, the last times among all others.
 SWEEPS = 2
 #: The components of vectors that have a name of their own.
