@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+from fractions import Fraction
+
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import vad
@@ -12,8 +15,10 @@ from vad.files.examples import example_path
 from vad.strokes.arithmetic import Figure, product, total, with_digits
 from vad.strokes.notation import Notation
 from vad.strokes.sentences import Sentence
+from vad.written import plain
 
 VALUES = st.sampled_from([0.0, 5e-324, 1e-151, 1 / 3, 12.0, 99999.5, 2e5, 5e151, 1e250])
+VALUES_OF_SHEETS = st.floats(0.01, 99.0)
 FIGURES = st.builds(Figure, VALUES, st.sampled_from(["mm", "°", "mm/s²"]), st.booleans())
 
 
@@ -25,8 +30,50 @@ def test_there_is_an_end(triples):
         for calculate in (product, total)
     ]
     with within(5.0):
-        notation = with_digits(Notation(metres=True), said)
-    assert all(0 < digits <= 15 for digits in notation.digits.values())
+        parts = [with_digits(each, Notation(metres=True)) for each in said]
+    assert all(0 <= figure.digits <= 15 for each in parts for figure in each.values())
+
+
+def said(sheet, phrase):
+    """Return the captions of a phrase."""
+    strokes = (stroke for panel in sheet.panels for stroke in panel.strokes)
+    return [str(each.said) for each in strokes if each.said.phrase == phrase]
+
+
+def test_each_equation_has_its_own_digits():
+    """323.1/140 is 2.308; the square of 2.308 times 140 is not 745.6."""
+    sheet = vad.draw(vad.solve(vad.SliderCrank()))
+    (found,), (used,) = (said(sheet, each) for each in ("measured omega", "normal"))
+    assert "bc/BC = 323.1/140 = 2.308 rad/s" in found
+    assert "ω₃²·BC = 2.3077² × 140 = 745.6 mm/s²" in used
+
+
+def test_the_operand_that_is_rounded_most_gets_the_digit():
+    """888.6/126.2 is 7.041; the quarter of a thousandth of 126.2 is more than that of 888.6."""
+    sheet = vad.draw(vad.solve(vad.Whitworth()))
+    assert "dq/DQ = 888.6/126.24 = 7.039 rad/s" in said(sheet, "measured omega absolute")[0]
+
+
+@settings(max_examples=200)
+@given(VALUES_OF_SHEETS, VALUES_OF_SHEETS)
+def test_a_product_has_the_digits_of_the_table(one, other):
+    """Only factors have more, and where they have, the product would else not come out.
+
+    A product that lies almost halfway between two numbers of four digits gets a digit, too.
+    """
+    figures = {"a": Figure(one * other), "b": Figure(one), "c": Figure(other)}
+    parts = with_digits(Sentence("", figures, (product("a", "b", "c"),)), Notation())
+    printed, usual = (
+        {name: Fraction(plain(each.value, digits=each.digits)) for name, each in found.items()}
+        for found in (parts, figures)
+    )
+    last = Fraction(10) ** (math.floor(math.log10(printed["a"])) - 3)
+    if parts != figures:
+        assert 2 * abs(usual["b"] * usual["c"] - usual["a"]) >= last
+    halfway = abs(2 * abs(Fraction(one * other) - usual["a"]) - last) < last / 25
+    assert printed["a"] == usual["a"] or halfway
+    last = last if printed["a"] == usual["a"] else last / 10
+    assert 2 * abs(printed["b"] * printed["c"] - printed["a"]) < last
 
 
 @pytest.mark.parametrize(("name", "lengths"), [("trunnion", {"crank": 5e151}), ("roberts", None)])

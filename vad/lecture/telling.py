@@ -12,7 +12,8 @@ import re
 from collections.abc import Iterator, Sequence
 from itertools import accumulate, pairwise
 
-from vad.strokes.sentences import Sentence, Terms, pieces_of
+from vad.strokes.arithmetic import Terms
+from vad.strokes.sentences import Sentence, pieces_of
 from vad.strokes.sheet import Panel, Stroke
 from vad.words import TextPiece, text_of
 

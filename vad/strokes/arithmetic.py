@@ -1,25 +1,24 @@
 """The numbers in captions, the calculations with them, and the digits that are printed.
 
-A reader who types the printed numbers into a calculator must get the printed results.  So
-when a sheet is complete, each number gets as many digits as that takes, and the same ones wherever
-it is printed.
+A number in a caption has the digits of the table, unless the equation as it is printed would then
+not come out: a reader who types the printed numbers into a calculator must get the printed result.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from decimal import Context, Decimal
 from functools import cache, reduce
 from typing import TYPE_CHECKING, Literal
 
 from vad.kinematics.symbol import Symbol
-from vad.strokes.notation import Notation, key
+from vad.strokes.notation import Notation
 from vad.written import GIVEN, MEASURED, plain
 
 if TYPE_CHECKING:
-    from vad.strokes.sentences import Sentence
+    from vad.strokes.sentences import Sentence, SentencePart
 
 #: A factor gets at most so many digits more than the result.  If they are too few, the result gets
 #: one digit more.
@@ -49,6 +48,8 @@ class Figure:
     typed
         Whether it is written in the unit of the data, as it was typed, wherever rates are written
         in metres.
+    digits
+        The significant digits that it has at least, where the table's are too few.
     """
 
     value: float
@@ -57,6 +58,7 @@ class Figure:
     power: int = 1
     scale: str = ""
     typed: bool = False
+    digits: int = 0
 
     def __post_init__(self) -> None:
         """Make the number one that JSON can hold: Python's own, and never a negative zero.
@@ -65,6 +67,13 @@ class Figure:
         """
         if not isinstance(self.value, Symbol):
             self.value = float(self.value) + 0.0
+
+
+@dataclass(slots=True)
+class Terms:
+    """A sum of numbers; negative ones are written with a minus sign before them."""
+
+    addends: tuple[Figure, ...]
 
 
 #: A ``hypotenuse`` is the root of the sum of the squares of its operands, the legs.  A ``leg`` is
@@ -131,33 +140,29 @@ _OPERATIONS: dict[CalculationKind, Callable[[list[Decimal]], Decimal]] = {
 }
 
 
-def with_digits(notation: Notation, sentences: Iterable[Sentence]) -> Notation:
-    """Return the notation with enough digits for every calculation to hold as it is printed.
+def with_digits(sentence: Sentence, notation: Notation) -> Mapping[str, SentencePart]:
+    """Return the parts of a sentence with enough digits for its calculations to hold as printed.
 
     Parameters
     ----------
+    sentence
+        The sentence with its calculations.  The digits of the last one are chosen first, because
+        its operands are the results of earlier ones.
     notation
         How numbers are written otherwise.
-    sentences
-        The sentences with calculations, in the order in which they are said.  The digits of the
-        last one are chosen first, because its factors are the results of earlier ones.
     """
     alike: dict[str, list[_Typed]] = defaultdict(list)
 
     def typed(figure: Figure) -> _Typed:
-        again = alike[key(figure.value)]
-        for number in again:
-            if number.figure == figure:
-                return number
-        again.append(_Typed(figure, notation))
-        return again[-1]
+        number = _Typed(figure, notation)
+        alike[number.key].append(number)
+        return number
 
-    noted = [(sentence, each) for sentence in sentences for each in sentence.calculations]
     calculations = []
-    for sentence, each in reversed(noted):
-        (result,) = sentence.figures((each.result,))
+    for each in reversed(sentence.calculations):
+        (result,) = map(typed, sentence.figures((each.result,)))
         operands = [typed(figure) for figure in sentence.figures(each.operands)]
-        calculations.append((typed(result), operands, _OPERATIONS[each.operation]))
+        calculations.append((result, operands, _OPERATIONS[each.operation]))
     digits: dict[str, int] = {}
     # Each number gets more digits only, and `_ALL` at most.
     for _ in range(_ALL * len(alike) + 1):
@@ -166,15 +171,33 @@ def with_digits(notation: Notation, sentences: Iterable[Sentence]) -> Notation:
             for _ in range(_ALL * (len(operands) + 1)):
                 if number.agrees(calculate([each.factor for each in operands])):
                     break
-                finer = _to_refine(number, operands)
+                finer = _to_refine(number, operands, calculate)
                 if finer is None:
                     break
                 digits[finer.key] = finer.count + 1
-                for same in alike[finer.key]:  # wherever it stands
+                for same in alike[finer.key]:  # wherever it stands in the sentence
                     same.read(digits[finer.key])
         if digits == before:
             break
-    return replace(notation, digits=digits)
+    if not digits:
+        return sentence.parts
+    return {name: _written(part, digits) for name, part in sentence.parts.items()}
+
+
+def _written(part: SentencePart, digits: Mapping[str, int]) -> SentencePart:
+    """Return a part of a sentence, a number or a sum of numbers with their digits."""
+    if isinstance(part, Terms):
+        return Terms(tuple([_figure(each, digits) for each in part.addends]))
+    return _figure(part, digits) if isinstance(part, Figure) else part
+
+
+def _figure(figure: Figure, digits: Mapping[str, int]) -> Figure:
+    return replace(figure, digits=digits.get(_key(figure.value), 0))
+
+
+def _key(value: float) -> str:
+    """Return a key that is the same for a number and its negative, and up to rounding."""
+    return f"{abs(value):.12g}"
 
 
 class _Typed:
@@ -185,13 +208,13 @@ class _Typed:
     figure
         The number in its sentence.
     key
-        The key of its digits in the notation.
+        The same for all numbers of its size.
     number, factor
         The number as it is printed, and that number raised to the power that it has in a product.
     """
 
     def __init__(self, figure: Figure, notation: Notation) -> None:
-        self.figure, self.key = figure, key(figure.value)
+        self.figure, self.key = figure, _key(figure.value)
         unit = figure.scale or figure.unit
         self._value, self._unit = notation.scaled(figure.value, unit), notation.unit(unit)
         self.read(0)
@@ -200,9 +223,16 @@ class _Typed:
         """Read the number as it is printed with at least so many digits."""
         self._digits = digits
         self.number = Decimal(plain(self._value, self._unit, self.figure.given, digits))
-        self.factor = self.number
-        if self.figure.power != 1:
-            self.factor = _EXACT.power(self.number, self.figure.power)
+        self.factor = self._raised(self.number)
+
+    @property
+    def true(self) -> Decimal:
+        """The number without rounding, raised likewise."""
+        return self._raised(Decimal(self._value))
+
+    def _raised(self, number: Decimal) -> Decimal:
+        power = self.figure.power
+        return number if power == 1 else _EXACT.power(number, power)
 
     @property
     def count(self) -> int:
@@ -231,9 +261,19 @@ def _unit_of_place(exponent: int) -> Decimal:
     return Decimal((0, (1,), exponent))
 
 
-def _to_refine(result: _Typed, factors: list[_Typed]) -> _Typed | None:
-    """Return the number that needs one more digit, or None if none can have more."""
+def _to_refine(
+    result: _Typed, operands: list[_Typed], calculate: Callable[[list[Decimal]], Decimal]
+) -> _Typed | None:
+    """Return the number that needs one more digit, or None if none can have more.
+
+    It is the operand whose rounding has the largest part in the error of the result.
+    """
+
+    def error(number: _Typed) -> Decimal:
+        exact = [each.true if each is number else each.factor for each in operands]
+        return abs(_EXACT.subtract(calculate(exact), result.true))
+
     most = min(result.count + EXTRA_DIGITS, _ALL)
-    rough = [each for each in factors if each.count < most and not each.exact]
-    coarsest = min(rough, key=lambda each: each.count, default=result)
-    return coarsest if coarsest.count < _ALL else None
+    rough = [each for each in operands if each.count < most and not each.exact]
+    worst = min(rough, key=error, default=result)
+    return worst if worst.count < _ALL else None

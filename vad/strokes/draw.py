@@ -198,7 +198,9 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
         gate.check_drawn(half.name, largest[half.unit], half.unit)
     rates = [largest.get(order.unit_of(scene.unit), 0.0) for order in (VELOCITY, ACCELERATION)]
     notation = Notation(scene.language.point, in_metres(rates))
-    scene.voice.notation = notation = with_digits(notation, scene.calculated)
+    scene.voice.notation = notation
+    for sentence in scene.calculated:
+        sentence.parts = with_digits(sentence, notation)
     mechanism, clean = motion.mechanism, without_noise(rows, largest)
     return Sheet(
         mechanism=mechanism.name,

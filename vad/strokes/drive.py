@@ -10,12 +10,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.numbers import cross, not_below
-from vad.strokes.arithmetic import Figure, product, total
+from vad.strokes.arithmetic import Figure, Terms, product, total
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing
 from vad.strokes.force_captions import NEWTON, ForceCaptions
 from vad.strokes.power import check_by_power
-from vad.strokes.sentences import Listed, Sentence, SentencePart, Terms, Unit
+from vad.strokes.sentences import Listed, Sentence, SentencePart, Unit
 from vad.strokes.sheet import (
     LOADS,
     Arc,

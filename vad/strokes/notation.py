@@ -6,8 +6,8 @@ Values in the units of the data become strings for captions, table, title and sc
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable
+from dataclasses import dataclass
 
 from vad.written import plain, typeset, with_unit
 
@@ -34,14 +34,10 @@ class Notation:
         The decimal sign of its language.
     metres
         Whether velocities and accelerations are written in metres, where the data have mm or cm.
-    digits
-        The significant digits of some numbers, by their `key`: of those whose usual digits are too
-        few for the calculations on the sheet.
     """
 
     point: str = "."
     metres: bool = False
-    digits: Mapping[str, int] = field(default_factory=dict)
 
     def unit(self, unit: str) -> str:
         """Return the unit in which the numbers of ``unit`` are written.
@@ -65,11 +61,6 @@ class Notation:
             return value
         return value / _TO_A_METRE[unit.partition("/")[0]]
 
-    def plain(self, value: float, unit: str = "", given: bool = False) -> str:
-        """Write a value of ``unit`` in the notation of programs."""
-        digits = self.digits.get(key(value), 0) if self.digits else 0
-        return plain(self.scaled(value, unit), self.unit(unit), given, digits)
-
     def cell(self, value: float, unit: str, given: bool = False) -> tuple[str, str]:
         """Write a value as a table has it, where no number has more digits than usual.
 
@@ -90,8 +81,8 @@ class Notation:
         """Return the unit of a value in a table, and how many of it the value's own unit makes."""
         return typed_unit(value, unit) if given else (self.scaled(1.0, unit), self.unit(unit))
 
-    def number(self, value: float, unit: str = "", given: bool = False) -> str:
-        """Write a value of ``unit`` as it is printed, without a unit.
+    def number(self, value: float, unit: str = "", given: bool = False, digits: int = 0) -> str:
+        """Write a value of ``unit``, with at least so many ``digits``, without its unit.
 
         Examples
         --------
@@ -99,7 +90,8 @@ class Notation:
         >>> metres.number(-172560.0, "mm/s²"), metres.number(140.0, "mm", given=True)
         ('−172,6', '140')
         """
-        return typeset(self.plain(value, unit, given), self.point)
+        text = plain(self.scaled(value, unit), self.unit(unit), given, digits)
+        return typeset(text, self.point)
 
     def quantity(self, value: float, unit: str, given: bool = False) -> str:
         """Write a value with the unit in which it is written.
@@ -127,11 +119,6 @@ def typed_unit(value: float, unit: str) -> tuple[float, str]:
         if abs(number - float(f"{number:.{_DIGITS}g}")) <= _ROUNDED * abs(number):
             return 1.0 / size, name.replace(" ", "·")
     return 1.0, unit
-
-
-def key(value: float) -> str:
-    """Return the key of a number in `Notation.digits`, the same for both signs."""
-    return f"{abs(value):.12g}"
 
 
 def in_metres(rates: Iterable[float]) -> bool:

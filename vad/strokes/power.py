@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from vad.kinematics.numbers import dot
-from vad.strokes.arithmetic import Figure, product, total
-from vad.strokes.sentences import Listed, Sentence, SentencePart, Terms, Unit
+from vad.strokes.arithmetic import Figure, Terms, product, total
+from vad.strokes.sentences import Listed, Sentence, SentencePart, Unit
 from vad.strokes.vector_equations import NOTHING
 from vad.units import metres_of
 

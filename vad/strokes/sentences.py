@@ -16,7 +16,7 @@ from functools import lru_cache
 from typing import Any, TypeAlias
 
 from vad.errors import InputError
-from vad.strokes.arithmetic import Calculation, Figure
+from vad.strokes.arithmetic import Calculation, Figure, Terms
 from vad.strokes.notation import Notation
 from vad.words import Gap, Language, Names, TextPiece, gaps, text_of
 from vad.written import MINUS, plain, squared, typeset
@@ -59,18 +59,11 @@ class Listed:
 
 
 @dataclass(slots=True)
-class Terms:
-    """A sum of numbers; negative ones are written with a minus sign before them."""
-
-    addends: tuple[Figure, ...]
-
-
-@dataclass(slots=True)
 class Voice:
     """The language of a sheet, and how it writes numbers.
 
-    While strokes are drawn, the notation is not complete: how many digits the numbers need is known
-    after the last calculation.
+    While strokes are drawn, the notation is not complete: whether rates are written in metres is
+    known after the last one.
     """
 
     language: str = "en"
@@ -249,7 +242,8 @@ def _number(figure: Figure, notation: Notation) -> str:
     """Return a number as a sentence has it."""
     if figure.typed:
         return typeset(plain(figure.value, figure.unit, given=True), notation.point)
-    return notation.number(figure.value, figure.scale or figure.unit, figure.given)
+    unit = figure.scale or figure.unit
+    return notation.number(figure.value, unit, figure.given, figure.digits)
 
 
 def _factors(sentence: Sentence, notation: Notation) -> dict[str, list[TextPiece]]:
@@ -287,11 +281,11 @@ class CaptionedMotion:
     motion: Any
     language: Language
     voice: Voice = field(init=False)
-    #: The sentences with calculations, in the order in which they are said.
+    #: The sentences with calculations, whose numbers get their digits when the notation is known.
     calculated: list[Sentence] = field(default_factory=list, init=False)
 
     def __post_init__(self) -> None:
-        """Make the voice, in which numbers have their usual digits at first."""
+        """Make the voice, whose notation is not complete at first."""
         own = self.motion.mechanism.own_names
         voice = Voice(self.language.code, Notation(self.language.point), own)
         object.__setattr__(self, "voice", voice)

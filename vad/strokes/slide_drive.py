@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any
 
 from vad.kinematics.linkage import Bar
 from vad.kinematics.numbers import not_below
-from vad.strokes.arithmetic import Figure, total
+from vad.strokes.arithmetic import Figure, Terms, total
 from vad.strokes.construct import construct
 from vad.strokes.diagram import VELOCITY, Drawing
 from vad.strokes.force_captions import NEWTON, ForceCaptions
 from vad.strokes.forces import bare
 from vad.strokes.player import Pencil, Player
 from vad.strokes.power import check_by_power
-from vad.strokes.sentences import Listed, Sentence, SentencePart, Terms, Text, Unit
+from vad.strokes.sentences import Listed, Sentence, SentencePart, Text, Unit
 from vad.strokes.sheet import (
     LOADS,
     Arrow,

@@ -47,9 +47,9 @@ from vad.export.data.records import (
     within,
     wrong,
 )
-from vad.strokes.arithmetic import Calculation, CalculationKind, Figure
+from vad.strokes.arithmetic import Calculation, CalculationKind, Figure, Terms
 from vad.strokes.notation import Notation
-from vad.strokes.sentences import Listed, Noun, Sentence, SentencePart, Terms, Text, Unit
+from vad.strokes.sentences import Listed, Noun, Sentence, SentencePart, Text, Unit
 from vad.strokes.shapes import Turned
 from vad.strokes.sheet import (
     Arc,
@@ -123,6 +123,7 @@ FIGURE = record(
     power=optional(one_of((-1, 1, 2)), 1),
     scale=optional(UNIT, ""),
     typed=optional(FLAG, False),
+    digits=optional(COUNT, 0),
 )
 CALCULATION = record(
     Calculation,
@@ -341,7 +342,6 @@ NOTATION = record(
     Notation,
     point=one_of((".", ",")),
     metres=optional(FLAG, False),
-    digits=optional(by_name(COUNT), {}),
 )
 DRIVER = record(
     Driver,

@@ -12,9 +12,9 @@ from functools import partial
 from typing import Any
 
 from vad.kinematics.space.numbers import dual, real
-from vad.strokes.arithmetic import Figure, product, total
+from vad.strokes.arithmetic import Figure, Terms, product, total
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Drawing, Order, Spot
-from vad.strokes.sentences import Sentence, SentencePart, Terms, Unit
+from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.sheet import Cell, Component
 from vad.strokes.space.bodies import Bodies
 from vad.strokes.space.body_polygons import RELATIVE, BodyPolygon, BodyScript
