@@ -18,12 +18,10 @@ from vad.plan.scale import Scale
 from vad.strokes.diagram import Spot
 
 Complexes = NDArray[np.complex128]
-Truths = NDArray[np.bool_]
 
 TAIL = 75.0 / 360.0  # of the cycle
 TAIL_STEPS = 6
 END = 0.011  # half of the tick at either end of a straight way
-JUMP = 0.06  # from one sample to the next
 INSET = 0.004  # from the panel's edge, a way that leaves it ends
 Ints = NDArray[np.int64]
 
@@ -59,7 +57,6 @@ class Hodographs:
         self.straight: list[Spot] = []
         self._rows, self._room = rows, room.inside(INSET)
         self._kept: dict[Spot, Ints] = {}
-        self._jumping: set[Spot] = set()
         for spot, way in self.tracks.items():
             if spot.path == "none" or not np.isfinite(way).all():
                 continue
@@ -69,8 +66,6 @@ class Hodographs:
                 continue
             self.drawn.append(spot)
             self._kept[spot] = thinned(way)
-            if np.abs(np.diff(way)).max() > JUMP:
-                self._jumping.add(spot)
             if _extent(way)[1] < PIXEL:
                 self.straight.append(spot)
 
@@ -93,10 +88,8 @@ class Hodographs:
             if spot in self.straight:
                 marks.append(lines(self._straight(way), "hodograph", row))
             else:
-                kept = self._kept[spot]
-                # Of samples side by side: a straight way is thinned to its ends.
-                jumps = self._jumps(spot, way[kept]) & (np.diff(kept) == 1)
-                marks.append(lines(self._seen(way[kept], jumps), "hodograph", row))
+                seen = within(self._room, way[self._kept[spot]].tolist())
+                marks.append(lines(seen, "hodograph", row))
         return [mark for mark in marks if mark.shape.pieces]  # type: ignore[union-attr]
 
     def tails(self, spots: Sequence[Spot], share: float) -> list[Mark]:
@@ -107,8 +100,7 @@ class Hodographs:
                 continue
             for step in range(TAIL_STEPS):
                 ends = [share - TAIL * (1 - (step + by) / TAIL_STEPS) for by in (0, 1)]
-                tail = self.stretch(spot, *ends)
-                pieces = self._seen(tail, self._jumps(spot, tail))
+                pieces = within(self._room, self.stretch(spot, *ends).tolist())
                 if pieces:
                     mark = lines(pieces, "tail", self._rows.get(spot))
                     alpha = (step + 1) / TAIL_STEPS
@@ -124,10 +116,6 @@ class Hodographs:
         middle = self.tracks[spot][between % count]
         return np.concatenate([[self.at(spot, start)], middle, [self.at(spot, end)]])
 
-    def _jumps(self, spot: Spot, way: Complexes) -> Truths:
-        """Tell after which points a path jumps, as if a plane were rotated to the other side."""
-        return (np.abs(np.diff(way)) > JUMP) & (spot in self._jumping)
-
     def _straight(self, way: Complexes) -> list[tuple[complex, complex]]:
         """Return a straight way with its ticks, as far as it lies in the panel."""
         along, _ = _extent(way)
@@ -136,13 +124,6 @@ class Hodographs:
         pieces = [self._room.clipped(*ends)]
         pieces += [self._room.clipped(end - tick, end + tick) for end in ends]
         return [piece for piece in pieces if piece]
-
-    def _seen(self, way: Complexes, jumps: Truths) -> list[list[complex]]:
-        """Return the pieces of a way between its jumps that lie in the panel."""
-        parts = np.split(way, np.flatnonzero(jumps) + 1)
-        return [
-            piece for part in parts if len(part) > 1 for piece in within(self._room, part.tolist())
-        ]
 
 
 def within(room: Rect, points: Sequence[complex]) -> list[list[complex]]:

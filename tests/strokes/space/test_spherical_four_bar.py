@@ -91,17 +91,7 @@ def test_the_polygon_of_velocities_has_the_solved_rates(angle: int, assembly: st
 
 @poses
 @assemblies
-def test_the_second_triangle_lies_away_from_the_pole(angle: int, assembly: str):
-    panel = sheet(angle, assembly).panel("velocity")
-    two, three = dot(panel, "4.crossing"), dot(panel, "3.crossing")
-    start = vector(panel, "12.absolute")
-    across = (two - start).conjugate()
-    assert (across * (three - start)).imag * (across * (0j - start)).imag <= 1e-9
-
-
-@poses
-@assemblies
-def test_the_polygon_of_accelerations_closes_with_both_normals_apart(angle: int, assembly: str):
+def test_the_polygon_of_accelerations_closes(angle: int, assembly: str):
     pose, panel = motion(angle, assembly), sheet(angle, assembly).panel("acceleration")
     second = vector(panel, "12.absolute") + vector(panel, "24.normal")
     assert second + vector(panel, "24.tangential") == pytest.approx(vector(panel, "14.absolute"))
@@ -109,8 +99,6 @@ def test_the_polygon_of_accelerations_closes_with_both_normals_apart(angle: int,
     third = second - vector(panel, "34.normal") + vector(panel, "23.relative")
     assert third == pytest.approx(dot(panel, "3.crossing"))
     assert abs(vector(panel, "43.relative")) == pytest.approx(abs(pose.joint("C").alpha))
-    normals = vector(panel, "24.normal"), vector(panel, "34.normal")
-    assert (normals[0] * normals[1].conjugate()).real <= 0.0
 
 
 def test_the_sine_law_is_what_the_caption_says():
@@ -182,13 +170,14 @@ def test_the_axes_turned_into_the_paper_stay_with_their_angles(angle: int, assem
     pose, here = motion(angle, assembly), sheet(angle, assembly)
     views, polygon = here.panel("position"), here.panel("velocity")
     i, at = pose.point("I").position, dot(views, "I.found")
+    again = here.panel("acceleration")
     for letter, ends in (("B", "23"), ("C", "43")):
         shape = stroke(views, f"O{letter}.laid").shape
         assert isinstance(shape, Curve)
         outer, _, inner = shape.points
         assert inner == 0 and abs(outer) == pytest.approx(1.0)
-        found = vector(polygon, f"{ends}.relative")
-        assert (outer * found.conjugate()).imag == pytest.approx(0.0, abs=1e-9 * abs(found))
+        for found in (vector(each, f"{ends}.relative") for each in (polygon, again)):
+            assert (outer * found.conjugate()).imag == pytest.approx(0.0, abs=1e-9 * abs(found))
         arc, size = (
             stroke(views, f"O{letter}.arc"),
             math.degrees(math.acos(pose.point(letter).position @ i)),

@@ -23,7 +23,8 @@ from tests.strokes.test_traced_dimensions import (
 )
 from tests.strokes.test_traced_sheet import CLOSE, numbers, poses
 from vad.mechanisms import Mechanism
-from vad.strokes.scripts import rssr, spatial_four_bar
+from vad.strokes.scripts import rssr, spatial_four_bar, spherical_four_bar
+from vad.strokes.space import bodies
 from vad.strokes.space.layout import Corners, Layout
 from vad.strokes.traced_dimensions import sides_of, traced_dimensions
 from vad.strokes.traced_sheet import traced_sheet
@@ -51,7 +52,10 @@ def length(mechanism: Mechanism) -> float:
 
 @pytest.fixture
 def kept_views(monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest) -> Mechanism:
-    """Return a mechanism; views stand as its own do, farther apart where lengths are larger."""
+    """Return a mechanism; views stand as its own do, farther apart where lengths are larger.
+
+    Planes are rotated to the same side.
+    """
     own: Mechanism = VARIANTS[request.param]
 
     def grown(mechanism: Mechanism) -> float:
@@ -71,6 +75,12 @@ def kept_views(monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest) 
             "_reach",
             lambda other: Corners(grown(other) * low, grown(other) * high),
         )
+    if isinstance(own, vad.SphericalFourBar | vad.HookeJoint):
+        side = bodies._side(own)
+        monkeypatch.setattr(bodies, "_side", lambda other: side)
+    if isinstance(own, vad.SphericalFourBar):
+        sense = spherical_four_bar._sense(own)
+        monkeypatch.setattr(spherical_four_bar, "_sense", lambda other: sense)
     return own
 
 

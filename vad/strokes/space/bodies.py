@@ -2,25 +2,32 @@
 
 The pole is body 1, the frame; the vector from i to j is the rotation of j relative to i.  Triangle
 1 2 4 lies in the plane of the frame, which is parallel to the paper.  Triangle 2 3 4 lies in that
-of the coupler, which is rotated into the paper about 2 4.  If the bodies also slide, the real parts
-of dual numbers are rotations, and the dual parts are translations.
+of the coupler, which is rotated into the paper about 2 4: to one side in all poses of a mechanism,
+so that nothing jumps while it moves.  If the bodies also slide, the real parts of dual numbers are
+rotations, and the dual parts are translations.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any
 
-from vad.kinematics.numbers import bearing, plane, select
+import numpy as np
+
+from vad.kinematics.numbers import bearing, plane
 from vad.kinematics.space.instant_axis import AxisVelocity, InstantAxis, Turns, Z
-from vad.kinematics.space.numbers import Vector3, cross, dot, dual, real
+from vad.kinematics.space.numbers import Vector3, dot, dual, real
 from vad.kinematics.space.solver import AxesSolver, reals
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Order
+from vad.strokes.space.layout import over_its_range
 from vad.strokes.space.scene import Script
 from vad.strokes.space.view import View
 from vad.strokes.vector_equations import NOTHING
 from vad.written import PRIME
+
+#: Poses in each range in which a mechanism closes, by which the side is chosen.
+SAMPLES = 181
 
 
 class Bodies:
@@ -47,15 +54,16 @@ class Bodies:
         solver = script.motion.solver
         assert isinstance(solver, AxesSolver)
         self.motion, self.solver = script.motion, solver
+        self._settled = script.settled
         b, c, d, i = (script.axis(letter) for letter in "BCDI")
         self.axis = InstantAxis(b, c, d, real(solver.coupler_sine), i)
         self.seen = view.way
         self._turns: dict[Order, tuple[Any, Turns]] = {}
         self._of_a: dict[Order, tuple[Any, Any]] = {}
 
-    def laid(self, vector: Vector3, side: Any) -> Any:
-        """Return a vector of the coupler's plane, rotated into the paper about OI to a side, ±1."""
-        along, across = dot(vector, self.axis.i), side * dot(vector, self.axis.j)
+    def laid(self, vector: Vector3) -> Any:
+        """Return a vector of the coupler's plane, rotated into the paper about OI."""
+        along, across = dot(vector, self.axis.i), self.side * dot(vector, self.axis.j)
         return along * self.seen(self.axis.i) + across * self.seen(self.axis.m)
 
     def arc(self, axis: Vector3) -> float:
@@ -82,28 +90,20 @@ class Bodies:
         """Return ω₄₂τ̇₃, the part of α₃₂b - α₃₄c across I."""
         return self.axis.in_coupler(self.turns(ACCELERATION)[1])
 
-    def side(self, order: Order) -> Any:
-        """Return the side to which the plane of the coupler is rotated.
-
-        For velocities it is away from the pole.  For accelerations it is the side on which one
-        normal component at 4ₙ continues the other.  If a triangle is flat, the side is +1.
-        """
-        crank, turns = self.turns(order)
-        if order is VELOCITY:
-            other = turns.at_d * dot(self.axis.d, self.axis.m)
-            own = turns.at_b * dot(self.axis.b, self.axis.j)
-        else:
-            other, own = -self.relative(ACCELERATION)[1], self.in_coupler()
-        size = abs(crank) + abs(turns.at_b) + abs(turns.at_c) + abs(turns.at_d)
-        return 1.0 - 2.0 * (other * own < -NOTHING * size * size)
+    @cached_property
+    def side(self) -> float:
+        """The side to which the plane of the coupler is rotated, the same in all poses."""
+        return _side(self._settled)
 
     @property
-    def side_in_views(self) -> Any:
-        """The side of velocities, which their axes tell also where there are no velocities."""
-        axis = self.axis
-        a_b_c, a_c_d = cross(axis.b, axis.c)[2], cross(axis.c, axis.d)[2]
-        away = a_b_c * a_c_d * dot(axis.d, axis.m) * dot(axis.b, axis.j)
-        return select(away > NOTHING, -1.0, 1.0)
+    def apart(self) -> Any:
+        """The product of the distances of 1 and 3 from the line 2 4, in the polygon of ω.
+
+        Where it is positive, they lie on both sides of that line if the side is +1.
+        """
+        _, turns = self.turns(VELOCITY)
+        other, own = dot(self.axis.d, self.axis.m), dot(self.axis.b, self.axis.j)
+        return turns.at_d * other * turns.at_b * own
 
     def vertices(self, order: Order, coupler: bool = True) -> Mapping[str, Any]:
         """Return where the vertices of the polygon of ω or α are."""
@@ -115,11 +115,10 @@ class Bodies:
         if order is ACCELERATION:
             found["4ₙ"] = two + self.relative(ACCELERATION)[1] * self.seen(self.axis.m)
         if coupler:
-            side = self.side(order)
             if order is ACCELERATION:
-                begin = found["4ₙ"] - self.in_coupler() * side * self.seen(self.axis.m)
+                begin = found["4ₙ"] - self.in_coupler() * self.side * self.seen(self.axis.m)
                 found["3ₙ"] = begin
-            found[f"3{prime}"] = begin + turns.at_b * self.laid(self.axis.b, side)
+            found[f"3{prime}"] = begin + turns.at_b * self.laid(self.axis.b)
         return found
 
     # --- with dual numbers: what slides -------------------------------------------------------
@@ -167,3 +166,10 @@ class Bodies:
         """AD, the distance of d from A."""
         ground: float = self.motion.mechanism.parameters()["ground"]
         return ground
+
+
+@lru_cache(maxsize=64)
+def _side(mechanism: Any) -> float:
+    """Return the side on which the triangles of ω lie apart in most poses; -1 of equal ones."""
+    apart = over_its_range(mechanism, SAMPLES).bodies.apart
+    return 1.0 if np.nanmedian(apart) > NOTHING else -1.0

@@ -153,7 +153,6 @@ class BodyPolygon:
     def coupler(self) -> Stated:
         """Return ω₄₂ = ω₃₂ - ω₃₄, or ω₄₂τ̇₃ + α₄₂ₜ = α₃₂ - α₃₄, in the plane of the coupler."""
         bodies, axis, turns = self.bodies, self.bodies.axis, self.turns
-        side = bodies.side(self.order)
         at_b = self._vector("23", self.two, self.three, self._measured("23", turns.at_b))
         at_c = self._vector("43", self.four, self.three, self._measured("43", turns.at_c))
         parts, hinge = [], "24.relative"
@@ -161,11 +160,11 @@ class BodyPolygon:
             across, hinge = bodies.in_coupler(), "24.tangential"
             says = {"normal": self._turned("coupler", across, bodies.pace.tau3)}
             turned = self._vector("34", "3ₙ", "4ₙ", says, reverse=True, arrives=False)
-            way = side * bodies.seen(axis.m)
+            way = bodies.side * bodies.seen(axis.m)
             symbol = TURNED + subscript(3)
             parts.append(self._part(turned, "normal", way, across, symbol=symbol, stage="3ₙ"))
-        parts.append(self._found(at_b, "23", "relative", bodies.laid(axis.b, side), turns.at_b))
-        last = self._found(at_c, "43", "relative", bodies.laid(axis.c, side), turns.at_c)
+        parts.append(self._found(at_b, "23", "relative", bodies.laid(axis.b), turns.at_b))
+        last = self._found(at_c, "43", "relative", bodies.laid(axis.c), turns.at_c)
         equation = VectorEquation(chain(*parts), chain(last), "3", folded=True)
         left = [*(each.drawn.name for each in parts[:-1]), hinge, last.drawn.name]
         return Stated(equation, left, [parts[-1].drawn.name])
@@ -173,9 +172,8 @@ class BodyPolygon:
     def _fold(self, centre: complex) -> Stroke:
         """Return the stroke that rotates the coupler's plane into the paper."""
         bodies, axis = self.bodies, self.bodies.axis
-        side = bodies.side(self.order)
-        arms = tuple(centre + bodies.laid(arm, side) for arm in (axis.b, axis.c))
-        turn = bearing(plane(side * dot(axis.j, axis.m), axis.j[0]))
+        arms = tuple(centre + bodies.laid(arm) for arm in (axis.b, axis.c))
+        turn = bearing(plane(bodies.side * dot(axis.j, axis.m), axis.j[0]))
         rim = Ellipse(centre, bodies.seen(axis.i), bodies.seen(axis.j))
         shape = Fold(centre, bodies.seen(axis.i), turn, arms, rim)
         again = " again" if self.order is ACCELERATION else ""
@@ -311,18 +309,18 @@ class BodyScript(Script):
         has the first radius.  The ``sense`` is -1 if lines are drawn from O away from these ends.
         """
         bodies, at = self.bodies, self.centre
-        side, start = bodies.side_in_views, bearing(sense * bodies.seen(bodies.axis.i))
+        start = bearing(sense * bodies.seen(bodies.axis.i))
         axes = bodies.axis.b, bodies.axis.c
         turned = [bodies.arc(axis) for axis in axes]
         sizes = [not_below(arc, -arc) for arc in turned]
         larger = sizes[0] > sizes[1]
         radii = select(larger, *arcs), select(larger, *reversed(arcs))
         for number, (letter, link) in enumerate(ends.items()):
-            name, way = "O" + letter, sense * length * bodies.laid(axes[number], side)
+            name, way = "O" + letter, sense * length * bodies.laid(axes[number])
             line = Curve((at + way, at + 0.6 * way, at))  # its name stands near its end
             self.draw("construction", f"{name}.laid", line, link, name)
             angle, label = (
-                self.angle(side * turned[number]),
+                self.angle(bodies.side * turned[number]),
                 self.degrees(self.angle(sizes[number])),
             )
             self.arc(f"{name}.arc", at, radii[number], angle, link, label, start)
