@@ -171,5 +171,5 @@ class Bodies:
 @lru_cache(maxsize=64)
 def _side(mechanism: Any) -> float:
     """Return the side on which the triangles of ω lie apart in most poses; -1 of equal ones."""
-    apart = over_its_range(mechanism, SAMPLES).bodies.apart
-    return 1.0 if np.nanmedian(apart) > NOTHING else -1.0
+    turning: Any = over_its_range(mechanism, SAMPLES)
+    return 1.0 if np.nanmedian(turning.bodies.apart) > NOTHING else -1.0
