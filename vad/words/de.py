@@ -349,15 +349,19 @@ PHRASES = {
     ),
     "spherical laid": "Um *OI* ins Blatt umgeklappt liegt *OB* {b}° und *OC* {c}° von *OI*.",
     # Pläne von Körpern
-    "bodies remark": "1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, ins Blatt umgeklappt",
+    "bodies remark": (
+        "Dreieck 1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, ins Blatt umgeklappt"
+    ),
     "bodies pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
     "bodies pole acceleration": "Der Pol: das Gestell, 1′.",
-    "bodies given": "{label} = {symbol} = {value} {unit}, längs {axis}.",
+    "bodies given": "{symbol} = {value} {unit}, längs {axis}.",
+    "bodies measured": "{symbol} = {value} {unit}.",
+    "bodies whole": "{symbol} = {value} {unit}, von {tail} nach {head}.",
     "bodies turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, das sich mit *τ̇* dreht."
+        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, das sich mit *τ̇* dreht."
     ),
     "bodies turned coupler": (
-        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: auch in dieser "
+        "{symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: auch in dieser "
         "Ebene dreht sich {symbol}."
     ),
     "bodies line 24 velocity": (
@@ -379,8 +383,7 @@ PHRASES = {
     ),
     "bodies fold again": "Wieder wird diese Ebene um *OI* ins Blatt umgeklappt.",
     "bodies sines": (
-        "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / "
-        "sin({di}°)."
+        "{symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / sin({di}°)."
     ),
     # --- Wellen und Motoren
     "balance axis": "{axis} ist die Achse der Welle, von ihrem Ende gesehen.",
@@ -553,7 +556,7 @@ PHRASES = {
         "*OQ* unverzerrt."
     ),
     "hooke turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* dreht."
+        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* dreht."
     ),
     # Kleins Konstruktion
     "klein rod": "Die Gerade der Stange {b}{c}, verlängert.",

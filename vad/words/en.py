@@ -349,16 +349,19 @@ PHRASES = {
     "spherical laid": "Turned about *OI* into the paper, *OB* is {b}° and *OC* is {c}° from *OI*.",
     # polygons of bodies
     "bodies remark": (
-        "1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into the paper"
+        "Triangle 1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into "
+        "the paper"
     ),
     "bodies pole velocity": "The pole: the frame, 1, does not turn.",
     "bodies pole acceleration": "The pole: the frame, 1′.",
-    "bodies given": "{label} = {symbol} = {value} {unit}, along {axis}.",
+    "bodies given": "{symbol} = {value} {unit}, along {axis}.",
+    "bodies measured": "{symbol} = {value} {unit}.",
+    "bodies whole": "{symbol} = {value} {unit}, from {tail} to {head}.",
     "bodies turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, which turns at *τ̇*."
+        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, which turns at *τ̇*."
     ),
     "bodies turned coupler": (
-        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} turns in "
+        "{symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} turns in "
         "this plane, too."
     ),
     "bodies line 24 velocity": (
@@ -379,8 +382,7 @@ PHRASES = {
     ),
     "bodies fold again": "Again this plane is turned about *OI* into the paper.",
     "bodies sines": (
-        "{label} = {symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / "
-        "sin({di}°)."
+        "{symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / sin({di}°)."
     ),
     # --- shafts and engines
     "balance axis": "{axis} is the axis of the shaft, seen from its end.",
@@ -537,7 +539,7 @@ PHRASES = {
         "are true there."
     ),
     "hooke turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, which turns at *τ̇*."
+        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, which turns at *τ̇*."
     ),
     # Klein's construction
     "klein rod": "The line of the rod {b}{c}, produced.",

@@ -349,15 +349,19 @@ PHRASES = {
         "Rabattus autour de *OI* sur la feuille, *OB* est à {b}° et *OC* à {c}° de *OI*."
     ),
     # polygones de corps
-    "bodies remark": "1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu",
+    "bodies remark": (
+        "Triangle 1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu"
+    ),
     "bodies pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
     "bodies pole acceleration": "Le pôle : le bâti, 1′.",
-    "bodies given": "{label} = {symbol} = {value} {unit}, suivant {axis}.",
+    "bodies given": "{symbol} = {value} {unit}, suivant {axis}.",
+    "bodies measured": "{symbol} = {value} {unit}.",
+    "bodies whole": "{symbol} = {value} {unit}, de {tail} à {head}.",
     "bodies turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, qui tourne à *τ̇*."
+        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, qui tourne à *τ̇*."
     ),
     "bodies turned coupler": (
-        "{label} = {symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
+        "{symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
         "aussi dans ce plan."
     ),
     "bodies line 24 velocity": "∥ *OI* par {point}, axe du balancier par rapport à la manivelle",
@@ -376,8 +380,7 @@ PHRASES = {
     ),
     "bodies fold again": "De nouveau, ce plan est rabattu autour de *OI*.",
     "bodies sines": (
-        "{label} = {symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / "
-        "sin({di}°)."
+        "{symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / sin({di}°)."
     ),
     # --- arbres et moteurs
     "balance axis": "{axis} est l’axe de l’arbre, vu de son bout.",
@@ -541,7 +544,7 @@ PHRASES = {
         "sont vrais."
     ),
     "hooke turned frame": (
-        "{label} = {symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇*."
+        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇*."
     ),
     # la construction de Klein
     "klein rod": "La droite de la bielle {b}{c}, prolongée.",

@@ -192,3 +192,13 @@ def test_geometry_and_names_are_the_same_in_every_language(kind: Any) -> None:
         for sheet in (vad.draw(motion, language=code) for code in languages())
     ]
     assert all(other == drawn[0] for other in drawn)
+
+
+@in_every_language
+@everything
+def test_no_caption_names_a_vector_by_two_digits(mechanism: Any, code: str) -> None:
+    """Vertices are bodies, and "12 = 10 rad/s" would read as numbers: a vector has its symbol."""
+    for motion in (vad.solve(mechanism, alpha=alpha) for alpha in (0.0, 20.0)):
+        for panel in vad.draw(motion, language=code).halves:
+            for stroke in panel.strokes:
+                assert not re.search(r"(?<![\d.,])[1-4][′ₙ]?[1-4][′ₙ]? = ", stroke.caption), stroke

@@ -129,8 +129,8 @@ class BodyPolygon:
         symbol = RELATIVE[self.order.number]
         says: dict[str, Callable[..., Sentence]] = {
             "line": self._line("24"),
-            "result": self._says("turning measured", "24", size, symbol),
-            "whole": partial(self.scene.say, "turning measured", symbol=self._symbol("24")),
+            "result": self._says("bodies measured", "24", size, symbol),
+            "whole": partial(self.scene.say, "bodies whole", symbol=self._symbol("24")),
         }
         component: Component = "relative"
         if self.order is ACCELERATION:
@@ -250,7 +250,7 @@ class BodyPolygon:
         return partial(self.scene.say, phrase, **arc)
 
     def _measured(self, ends: str, value: float) -> dict[str, Callable[..., Sentence]]:
-        result = self._says("turning measured", ends, value)
+        result = self._says("bodies measured", ends, value)
         if ends == "14" and self.order is VELOCITY and self.names.sines:
             result = partial(self._says("bodies sines", ends, value), **self.names.sines)
         return {"line": self._line(ends), "result": result}

@@ -86,8 +86,8 @@ class SpaceCaptions(PolygonCaptions[SpaceVector]):
 
     def whole(self, label: str, size: float, vector: SpaceVector) -> Sentence:
         """State the length of a whole vector, whose components are drawn already."""
-        value, unit = Figure(size, self.unit), Unit(self.unit)
-        return vector.says["whole"](label=label, value=value, unit=unit)
+        ends = {"label": label, "tail": vector.tail, "head": vector.head}
+        return vector.says["whole"](value=Figure(size, self.unit), unit=Unit(self.unit), **ends)
 
 
 def chain(*parts: Part[SpaceVector]) -> Chain[SpaceVector]:
