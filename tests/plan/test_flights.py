@@ -19,7 +19,7 @@ from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.items import FLIGHT, Level
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
-from vad.plan.pictures.flights import ARCH, SEEN, SHORTEST_FLIGHT, Flight
+from vad.plan.pictures.flights import ARCHES, SEEN, SHORTEST_FLIGHT, Flight
 from vad.plan.pictures.traces import crossings, strokes_at
 from vad.plan.stage import Stage
 from vad.strokes.sheet import Arrow
@@ -356,7 +356,7 @@ def test_a_flight_bends_to_the_side_on_which_it_crosses_less():
         flight = own[item.stroke]
         strokes = strokes_at(board.sketches.values(), flight.span)
         centre = next(m.growth.centre for m in item.marks if isinstance(m.growth, Flying))
-        sides = [list(flight.legs(centre, side)) for side in (ARCH, -ARCH)]
+        sides = [list(flight.legs(centre, side)) for side in (ARCHES[0], -ARCHES[0])]
         met = [sum(crossings(p, strokes) for p in flight.paths(centre, each)) for each in sides]
         (way,) = (mark for mark in item.marks if mark.role == "flight path")
         docks = flight.docks

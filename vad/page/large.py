@@ -15,7 +15,7 @@ from vad.page.measures import INSIDE
 from vad.plan.board import Plan, column, pictures, reach
 from vad.plan.geometry import Rect
 from vad.plan.hand_board import HandBoard
-from vad.plan.items import FLIGHT, in_painting_order
+from vad.plan.items import in_painting_order
 from vad.plan.pictures import reach_scale
 from vad.plan.pictures.senses import found_senses
 from vad.plan.scale import Scale
@@ -74,7 +74,7 @@ def _large(board: Plan, panel: Panel, room: Rect, turned: HandBoard | None, inke
     scales = _turned_scale(panel, room, turned) if turned else {}
     own = column(board.sheet, panel, room, board.form, scales)
     sketches = {**board.sketches, **own}
-    drawn = [*pictures(sketches, board.regions[FLIGHT]), *found_senses(sketches)]
+    drawn = [*pictures(sketches), *found_senses(sketches)]
     items = in_painting_order((i for i in drawn if i.region == panel.name), [panel.name])
     ink = reach(items) if items else room
     area = Rect(

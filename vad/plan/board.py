@@ -28,6 +28,7 @@ from vad.plan.items import (
     head_of,
     in_painting_order,
 )
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.layout import MARGIN, OVERLAP, Content, Page, Told, beside, lay_out, rooms
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline, Wandering
@@ -174,7 +175,7 @@ def plan(
     for panel in sheet.panels:
         sketches |= column(sheet, panel, page.panels[panel.name].drawing, form, scales)
     regions = regions_of(page)
-    items = [*pictures(sketches, regions[FLIGHT], travels), *found_senses(sketches)]
+    items = [*pictures(sketches, travels, Obstacles(regions[FLIGHT])), *found_senses(sketches)]
     turns = roomless(sketches, (item for item in items if item.region == POSITION.panel))
     if words:
         items += [
@@ -216,15 +217,17 @@ def column(
 
 
 def pictures(
-    sketches: Mapping[str, Sketch], page: Rect, travels: Mapping[str, Travel] | None = None
+    sketches: Mapping[str, Sketch],
+    travels: Mapping[str, Travel] | None = None,
+    words: Obstacles | None = None,
 ) -> Iterator[Item]:
     """Yield the items of all panels: what each holds, and what one shows of another.
 
-    In a film some of it ``travels`` over the ``page`` from panel to panel; without that nothing
-    leaves a panel.
+    In a film some of it ``travels`` from panel to panel, past the ``words`` beside them and within
+    their edge; without that nothing leaves a panel.
     """
     drawn = found_later((item for each in sketches.values() for item in each.items), sketches)
-    yield from drawn if travels is None else travelling(drawn, sketches, travels, page)
+    yield from travelling(drawn, sketches, travels, words) if travels and words else drawn
     yield from senses_in_views(sketches)
     yield from lights(sketches)
     yield from folds(sketches)

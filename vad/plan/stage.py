@@ -8,7 +8,7 @@ Between two of them every panel moves from its place in one to its place in the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -20,13 +20,16 @@ from vad.plan.board import Plan, column, pictures, plan, reach
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import CAPTION, FLIGHT, TITLE, Item, Level, head_of, in_painting_order
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.layout import MARGIN
 from vad.plan.lettering.glyphs import fitted
 from vad.plan.lettering.runs import bold, roman
+from vad.plan.making_way import made_way
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.moving import Move
 from vad.plan.page.changing import caption_lines, captions, numbers_said
 from vad.plan.page.chapters import CHAPTERS, chapter_marks
+from vad.plan.page.free_places import box_of
 from vad.plan.page.heads import head, pale, title_marks
 from vad.plan.page.work import in_work
 from vad.plan.pictures.dimming import dimmings
@@ -78,6 +81,7 @@ class Stage:
         self._drawn: dict[tuple[str, float, float], dict[str, Sketch]] = {}
         self._made: dict[int, Plan] = {}
         self._moves: dict[tuple[int, int], Move] = {}
+        self._pale: dict[tuple[int, int], dict[Item, Item]] = {}
         self._told: list[Item] = []
         strokes = sum(len(half.strokes) for half in sheet.halves)
         self._chapters = [*chapter_marks(chapters, strokes, self._layouts[0].page)]
@@ -125,7 +129,17 @@ class Stage:
             said, told = self._captions(self.scene(0).sketches), moment.beat if moment.said else 0
             shown += [each for each in said if _shows(each, moment.beat)]
             shown += [each for each in self._chapters if _shows(each, told)]
+        if not share:
+            shown = self._made_way(shown, now, moment.beat)
         return sorted(shown, key=lambda item: item.region == FLIGHT)
+
+    def _made_way(self, shown: Sequence[Item], scene: int, beat: int) -> list[Item]:
+        """Return what shows in a scene, where text makes way: the same items in all frames."""
+        if (scene, beat) not in self._pale:
+            ways = zip(shown, made_way(shown, beat), strict=True)
+            self._pale = {(scene, beat): {each: pale for each, pale in ways if pale is not each}}
+        pale = self._pale[scene, beat]
+        return [pale.get(item, item) for item in shown]
 
     def scene(self, number: int) -> Plan:
         """Return the plan of a scene without title and caption; after the last that of the sheet.
@@ -151,19 +165,20 @@ class Stage:
         sketches: dict[str, Sketch] = {}
         for panel in sheet.panels:
             sketches |= self._placed(panel, page.panels[panel.name].drawing, layout)
-        drawn = list(pictures(sketches, layout.regions[FLIGHT], self._travels))
+        turns, flies = self.whole.turns, self._travels is not None
+        work = list(in_work(sheet, large, sketches, layout.work, self._key, flies, turns))
+        words = self._words([*self._title, *self._heads(layout, sketches), *work])
+        drawn = list(pictures(sketches, self._travels, words))
         own = [item for item in drawn if item.region == large.name]
         factor, shift = _fitted(own, page.panels[large.name].drawing)
         if (factor, shift) != (1.0, 0j):
             for half in large.halves:
                 sketches[half.name] = sketches[half.name].mapped(factor, shift)
-            drawn = list(pictures(sketches, layout.regions[FLIGHT], self._travels))
-        senses, flies = list(found_senses(sketches)), self._travels is not None
-        turns = self.whole.turns
-        work = list(in_work(sheet, large, sketches, layout.work, self._key, flies, turns))
+            drawn = list(pictures(sketches, self._travels, words))
+        senses = list(found_senses(sketches))
         if flies:
             numbers, shown = numbers_said(sheet, self._captions(sketches)), senses
-            senses = [*sent(shown, numbers), *to_rows(work, shown, numbers)]
+            senses = [*sent(shown, numbers, words), *to_rows(work, shown, numbers, words)]
         items = [
             *drawn,
             *senses,
@@ -177,6 +192,18 @@ class Stage:
             for beat, each in dimmings(drawn, sketches, self._travels).items()
         }
         return Plan(sheet, self.form, page, regions, tuple(ordered), sketches, dimmed)
+
+    def _words(self, items: Iterable[Item]) -> Obstacles:
+        """Return the words beside the panels, which flights avoid, within the room of flights.
+
+        That is above the caption, which is read meanwhile.
+        """
+        low = self.regions[CAPTION].top
+        words = Obstacles(Rect(0.0, low, self.form.width, self.form.height))
+        for item in items:
+            for mark in (mark for mark in item.marks if isinstance(mark.shape, Lettering)):
+                words.box(box_of(replace(mark, growth=None)), (item.since, item.until))
+        return words
 
     def _placed(self, panel: Panel, drawing: Rect, layout: SceneLayout) -> dict[str, Sketch]:
         """Return the sketches of a panel in a place, with lines and letters of its own size.

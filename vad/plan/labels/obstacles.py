@@ -150,6 +150,11 @@ class Obstacles:
                 return False
         return True
 
+    def under(self, boxes: Sequence[Rect]) -> Bools:
+        """Tell which strokes (columns) reach into which boxes (rows)."""
+        sides = np.array([(box.centre, box.width / 2, box.height / 2) for box in boxes])
+        return _meets(sides[:, 0], sides[:, 1].real, sides[:, 2].real, self._strokes())
+
     def _strokes(self) -> _Strokes:
         """Return all lines as arrays; they are kept until there is another."""
         if self._kept is None or len(self._kept.middles) != len(self.lines):

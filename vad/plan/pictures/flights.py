@@ -19,9 +19,9 @@ from vad.lecture.moment import smooth
 from vad.lecture.pace import LANDED, PHASES
 from vad.plan.geometry import Rect, direction_of
 from vad.plan.items import FLIGHT, Item, Level, Span
-from vad.plan.labels.obstacles import Complexes
+from vad.plan.labels.obstacles import Complexes, Obstacles
 from vad.plan.marks import Flying, Growth, Leg, Mark, Polygon, Polyline, Turning, line
-from vad.plan.pictures.traces import crossings, ghosts, path, ring, strokes_at
+from vad.plan.pictures.traces import crossings, ghosts, path, ring, strokes_at, swept
 from vad.plan.pictures.vectors import HEAD_SHARE, ends_first
 from vad.plan.reach import corners
 from vad.plan.sketch import Sketch
@@ -33,8 +33,10 @@ from vad.strokes.travel import Travel
 MOST = 1e3
 #: A vector that is shorter on the page does not fly, as nobody would see it: a pencil draws it.
 SHORTEST_FLIGHT = 0.010
-#: How far a copy lifts off the vector that it is made of, and how high it flies, of its way.
-LIFT, ARCH = 0.04, 0.08
+#: How far a copy lifts off the vector that it is made of.
+LIFT = 0.04
+#: How high it flies, of its way; higher only where it would cross words.
+ARCHES = (0.08, 0.20, 0.32)
 #: A copy that turns is at least so long.
 SEEN = 0.09
 #: So far from the edges of the page all that flies ends.
@@ -119,14 +121,15 @@ def travelling(
     items: Iterable[Item],
     sketches: Mapping[str, Sketch],
     travels: Mapping[str, Travel],
-    page: Rect,
+    words: Obstacles,
 ) -> list[Item]:
     """Return the items of all panels with what flies, which shows in its panel when it has landed.
 
-    ``items`` are those that a pencil would draw.
+    ``items`` are those that a pencil would draw, ``words`` the boxes of words beside the panels,
+    within the edge of all flights.
     """
     rooms = [sketch.setting.room for sketch in sketches.values()]
-    edges = page.inside(EDGE), rooms
+    edges = words.edge.inside(EDGE), rooms
     flights = (Flight.of(name, travel, sketches, edges) for name, travel in travels.items())
     own = {flight.stroke: flight for flight in flights if flight}
     strokes = {each: strokes_at(sketches.values(), flight.span) for each, flight in own.items()}
@@ -139,7 +142,7 @@ def travelling(
             continue
         flies = [mark for mark in item.marks if flight.carries(mark, item)]
         if flies:
-            found.append(flight.item(flies, strokes[flight.stroke]))
+            found.append(flight.item(flies, strokes[flight.stroke], words))
         found.append(flight.landed(item))
     return found
 
@@ -274,11 +277,8 @@ class Flight:
             if marks := tuple(sketch.lights.get(travel.by or "", ())):
                 yield Item(self.stroke, sketch.setting.panel.column, Level.GLOW, marks, *span)
 
-    def item(self, marks: Sequence[Mark], strokes: Complexes) -> Item:
-        """Return marks of the polygon on their way, with the traces that they leave.
-
-        They fly on the side on which they cross fewer of the ``strokes``.
-        """
+    def item(self, marks: Sequence[Mark], strokes: Complexes, words: Obstacles) -> Item:
+        """Return marks of the polygon on their way, with the traces that they leave."""
         moving: list[Mark] = []
         traces: list[Mark] = []
         edges: list[Mark] = []
@@ -293,9 +293,7 @@ class Flight:
                 case Polygon(rings):
                     edges.append(line((*rings[0], rings[0][0]), "whole", marks[0].row))
         full = min(full, abs(tip - centre)) if tip is not None else 0.0
-        sides = [list(self.legs(centre, side)) for side in (ARCH, -ARCH)]
-        met = [sum(crossings(p, strokes) for p in self.paths(centre, legs)) for legs in sides]
-        legs = sides[met.index(min(met))]
+        legs = self.clearest(centre, strokes, words)
         flying = Flying(centre, tuple(legs), tip, full)
         *before, landed = self.landmarks
         leaves = before[self.flies - 1]
@@ -313,6 +311,19 @@ class Flight:
         """The shares of the flight at which its phases end."""
         seconds = self.seconds
         return [smooth(end / (sum(seconds) + LANDED)) for end in accumulate(seconds)]
+
+    def clearest(self, centre: complex, strokes: Complexes, words: Obstacles) -> list[Leg]:
+        """Return the legs of the flight that crosses the fewest words, and then strokes."""
+        boxes = [box for box, _ in words.during(self.span).boxes]
+        found: list[tuple[int, int, list[Leg]]] = []
+        for side in (side for arch in ARCHES for side in (arch, -arch)):
+            legs = list(self.legs(centre, side))
+            paths = self.paths(centre, legs)
+            met = sum(crossings(each, strokes) for each in paths)
+            found.append((swept(paths, boxes), met, legs))
+            if side < 0.0 and not min(each[0] for each in found):
+                break
+        return min(found, key=lambda each: each[:2])[-1]
 
     def paths(self, centre: complex, legs: Sequence[Leg]) -> tuple[list[complex], list[complex]]:
         """Return the ways of the tail that is seen and of the head in the phase of the flight.

@@ -13,6 +13,7 @@ from dataclasses import replace
 
 from vad.lecture.moment import smooth
 from vad.plan.items import FLIGHT, FOREVER, Item
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.lettering.glyphs import width
 from vad.plan.marks import (
     Bending,
@@ -26,6 +27,7 @@ from vad.plan.marks import (
     bent,
 )
 from vad.plan.page.quarter import without_turn
+from vad.plan.pictures.traces import swept
 
 #: When the number leaves, when it arrives, and when the arrow is bent: shares of the whole.
 LEAVES, ARRIVES, BENT = 0.06, 0.55, 0.92
@@ -33,12 +35,16 @@ LEAVES, ARRIVES, BENT = 0.06, 0.55, 0.92
 ARROW, FADES, NAMED = (0.06, 0.25), (0.70, 0.90), (0.80, 0.95)
 #: How far the arrow is bent that looks straight, in degrees.
 STRAIGHT = 3.0
-#: From the baseline of a number to the arrow below it, in its size, and how high it flies.
-BELOW, ARCH = 0.5, 0.10
+#: From the baseline of a number to the arrow below it, in its size.
+BELOW = 0.5
+#: How high a number flies, of its way, to either side: the first of those that cross least text.
+ARCHES = (0.10, -0.10, 0.25, -0.25, 0.40, -0.40)
 PARTS = 24
 
 
-def sent(senses: Iterable[Item], numbers: Mapping[str, tuple[Lettering, int]]) -> Iterator[Item]:
+def sent(
+    senses: Iterable[Item], numbers: Mapping[str, tuple[Lettering, int]], words: Obstacles
+) -> Iterator[Item]:
     """Yield the senses of rates with their flights, which take place while their stroke rests.
 
     Parameters
@@ -48,19 +54,25 @@ def sent(senses: Iterable[Item], numbers: Mapping[str, tuple[Lettering, int]]) -
     numbers
         For the full name of a stroke the number in its caption that flies, and the beat in which it
         is said.
+    words
+        What it should not cross.
     """
     for item in senses:
         number = numbers.get(item.stroke)
         if number is None:
             yield item
             continue
-        marks, said = tuple(_flying(item.marks, number[0])), (number[1], FOREVER)
+        texts = words.during((item.since, item.since + 1))
+        marks, said = tuple(_flying(item.marks, number[0], texts)), (number[1], FOREVER)
         yield Item(item.stroke, FLIGHT, item.level, marks, item.since, item.since + 1, said)
         yield replace(item, since=item.since + 1)
 
 
 def to_rows(
-    rows: Iterable[Item], senses: Iterable[Item], numbers: Mapping[str, tuple[Lettering, int]]
+    rows: Iterable[Item],
+    senses: Iterable[Item],
+    numbers: Mapping[str, tuple[Lettering, int]],
+    words: Obstacles,
 ) -> Iterator[Item]:
     """Yield the flights of numbers to rows of the results, where a link has no room for an arrow.
 
@@ -68,7 +80,7 @@ def to_rows(
     ----------
     rows
         What stands there; what a stroke has just found grows.
-    senses, numbers
+    senses, numbers, words
         As for `sent`.
     """
     done = {item.stroke for item in senses}
@@ -81,17 +93,18 @@ def to_rows(
         (number, said), goal = numbers[item.stroke], mark.shape
         size = goal.size / number.size
         end = goal.at + width(without_turn(goal.runs), goal.size) - width(number.runs, goal.size)
+        arch = _arch(number, end - number.at, words.during((item.since, item.since + 1)))
         legs = []
         for share in _shares():
             part = _part(share, LEAVES, BENT)
-            spot, ink = _between(number.at, end, part), 1.0 - _part(share, BENT, 1.0)
+            spot, ink = _between(number.at, end, part, arch), 1.0 - _part(share, BENT, 1.0)
             legs.append(Leg(share, spot - number.at, 1.0 + (size - 1.0) * part, 0.0, ink))
         flies = Mark(number, "letter", growth=Flying(number.at, tuple(legs)))
         span = item.since, item.since + 1
         yield Item(item.stroke, FLIGHT, item.level, (flies,), *span, (said, FOREVER))
 
 
-def _flying(marks: Iterable[Mark], number: Lettering) -> Iterator[Mark]:
+def _flying(marks: Iterable[Mark], number: Lettering, words: Obstacles) -> Iterator[Mark]:
     """Yield the marks of a sense on their way, and the number that comes with them."""
     *arrow, name = marks
     goal = name.shape
@@ -101,7 +114,9 @@ def _flying(marks: Iterable[Mark], number: Lettering) -> Iterator[Mark]:
     wide = width(number.runs, number.size)
     # The middle of the number flies to that of the name.
     start, end = number.at + wide / 2, goal.at + width(goal.runs, goal.size) / 2
-    way = [(share, _between(start, end, _part(share, LEAVES, ARRIVES))) for share in _shares()]
+    arch = _arch(number, end - start, words)
+    parts = [(share, _part(share, LEAVES, ARRIVES)) for share in _shares()]
+    way = [(share, _between(start, end, part, arch)) for share, part in parts]
     legs = [
         Leg(
             share,
@@ -161,6 +176,19 @@ def _part(share: float, start: float, end: float) -> float:
     return smooth(min(max((share - start) / (end - start), 0.0), 1.0))
 
 
-def _between(start: complex, end: complex, part: float) -> complex:
-    """Return a place on a flat arch."""
-    return start + part * (end - start) + 4.0 * part * (1.0 - part) * ARCH * 1j * abs(end - start)
+def _arch(number: Lettering, way: complex, words: Obstacles) -> float:
+    """Return how high a number flies on its way: so that it stays on the page, past most words."""
+    wide, room = width(number.runs, number.size), words.edge
+    boxes = [each for each, _ in words.boxes]
+
+    def cost(arch: float) -> tuple[bool, int]:
+        path = [number.at + _between(0j, way, part, arch) for part in _shares()]
+        strays = any(z.real < room.left or z.real + wide > room.right for z in path)
+        return strays, swept([path, [z + wide for z in path]], boxes)
+
+    return min(ARCHES, key=cost)
+
+
+def _between(start: complex, end: complex, part: float, arch: float) -> complex:
+    """Return a place on an arch."""
+    return start + part * (end - start) + 4.0 * part * (1.0 - part) * arch * 1j * (end - start)

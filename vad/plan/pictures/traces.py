@@ -1,7 +1,7 @@
 """What shows the way of a flight: ghosts, a dotted path, and a ring where a head will dock.
 
-They are gone when the vector has landed.  The path bends to the side on which it crosses fewer
-strokes and labels.
+They are gone when the vector has landed.  The path bends so that it crosses few words beside the
+panels, and then few strokes and labels.
 """
 
 from __future__ import annotations
@@ -12,8 +12,9 @@ from itertools import pairwise
 
 import numpy as np
 
+from vad.plan.geometry import Rect
 from vad.plan.items import Span
-from vad.plan.labels.obstacles import Complexes, crossed
+from vad.plan.labels.obstacles import Complexes, Obstacles, crossed
 from vad.plan.marks import Fading, Mark, Polygon, disc, line
 from vad.plan.roles import ROLES, VECTOR
 from vad.plan.sketch import Sketch
@@ -81,3 +82,19 @@ def crossings(points: Points, strokes: Complexes) -> int:
     """
     met = (crossed(strokes[:, 0], strokes[:, 1], *each) for each in pairwise(points))
     return sum(int(np.count_nonzero(each)) for each in met)
+
+
+def swept(paths: Sequence[Points], boxes: Sequence[Rect]) -> int:
+    """Return how many boxes something meets whose ends move on two paths.
+
+    Examples
+    --------
+    >>> swept([(0j, 2 + 0j), (1j, 2 + 1j)], [Rect(-0.1, 0.4, 0.1, 0.6), Rect(5.0, 0.0, 6.0, 1.0)])
+    1
+    """
+    if not boxes:
+        return 0
+    ways = Obstacles(boxes[0])
+    for each in (*paths, *zip(*paths, strict=True)):
+        ways.line(each, 0.0)
+    return int(np.count_nonzero(ways.under(boxes).any(axis=1)))
