@@ -159,7 +159,7 @@ def test_no_head_crosses_another_one_while_panels_move(name: str):
     counts = scene_numbers(stage.sheet)
     for number in range(stage.count - 1):
         beat = done(counts.index(number + 1))
-        before, between, after = (_titles(stage, beat, number + x) for x in (0.0, 0.4, 1.0))
+        before, between, after = (_titles(stage, beat, number + x) for x in (0.0, 0.1, 1.0))
         assert len(between) >= 2
         assert set(between) <= {*before, *after}
 

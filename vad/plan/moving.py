@@ -3,9 +3,10 @@
 The two layouts show the same panels, so most items have a counterpart: marks with the same role,
 the same ink and the same form.  Such a mark grows or shrinks and moves with its panel
 (`vad.plan.ways`).  What is in one layout only fades on its way, and the head of a panel, a term or
-a row that changes its place fades where it is: on its way it would cross another one.  A lens and a
-scale bar have other places and sizes in every layout, and their parts would come apart on the way:
-they are gone soon, and come late.
+a row that changes its place fades where it is: on its way it would cross another one.  It is gone
+before a panel crosses it, and comes when the panels are nearly there.  A lens and a scale bar have
+other places and sizes in every layout, and their parts would come apart on the way: they, too, are
+gone soon and come late.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ from vad.plan.ways import Way, ways
 
 #: Until this share of a move fades what goes, and from there on appears what comes.
 HALF = 0.5
-#: Until this share of a move fades a lens or a scale bar, after a quarter of its time; another one
-#: appears in the last quarter.
+#: Until this share of a move fades a lens, a scale bar, or what stands beside the panels, after a
+#: quarter of its time; another one appears in the last quarter.
 SOON = smooth(0.25)
 #: Ellipses whose axes and shapes differ by less are alike.
 SAME = 1e-9
@@ -79,13 +80,17 @@ class Move:
                     for mark in _between(*pair, share, way)
                 )
                 found.append(replace(other, region=self.region, marks=marks))
-            elif one and share < _time(one):
-                marks = _faded(self._carried(one, share, from_start=True), 1 - share, _time(one))
+            elif one and share < (time := self._time(one)):
+                marks = _faded(self._carried(one, share, from_start=True), 1 - share, time)
                 found.append(replace(one, region=self.region, marks=marks))
-            elif other and share > 1 - _time(other):
-                marks = _faded(self._carried(other, share, from_start=False), share, _time(other))
+            elif other and share > 1 - (time := self._time(other)):
+                marks = _faded(self._carried(other, share, from_start=False), share, time)
                 found.append(replace(other, region=self.region, marks=marks))
         return found
+
+    def _time(self, item: Item) -> float:
+        """Return for which share of the move an item shows that has no counterpart."""
+        return SOON if _fades_soon(item) or _place(item) not in self.ways else HALF
 
     def _carried(self, item: Item, share: float, from_start: bool) -> Sequence[Mark]:
         """Return the marks of an item of one layout where its panel carries them."""
@@ -115,11 +120,6 @@ def _fades_soon(item: Item) -> bool:
     """Tell whether an item belongs to a lens, or is a scale bar with its value in a drawing."""
     bar = any(mark.role == "scale bar" for mark in item.marks)
     return item.level == Level.LENS or (bar and not _place(item).endswith(HEAD))
-
-
-def _time(item: Item) -> float:
-    """Return for which share of a move an item shows that has no counterpart."""
-    return SOON if _fades_soon(item) else HALF
 
 
 def _landed(item: Item) -> Item:
