@@ -95,11 +95,19 @@ class PlanePencil(Pencil[StepVector]):
         return self.letter(self.scene.members.pivot(link)) + self.letter(point)
 
     def absolute(
-        self, point: str, link: str, image: bool = False, said: Sentence | None = None
+        self,
+        point: str,
+        link: str,
+        image: bool = False,
+        said: Sentence | None = None,
+        pivot: str = "",
     ) -> Stroke:
-        """Ink the vector from the pole to a vertex; it is left out where it is zero."""
+        """Ink the vector from the pole to a vertex; it is left out where it is zero.
+
+        Its first letter is that of the ``pivot``, or the one of `label_from_pole`.
+        """
         letter, at = self.letter(point), self.image(point)
-        label = self.label_from_pole(point, link)
+        label = self.letter(pivot) + letter if pivot else self.label_from_pole(point, link)
         arrow = Arrow(0j, at, label.removesuffix(letter), letter)
         said = said or self.say.absolute(label, point, abs(at))
         part = StrokePart(point, "image" if image else "absolute")
@@ -315,7 +323,22 @@ class _Polygon(Player[StepVector]):
         for bar in self.linkage.images:
             if self.pencil.letter(bar.head) not in self.pencil.vertices:
                 self.images.find(bar)
+        self._output()
         return () if self.pencil.resting else tuple(equations)
+
+    def _output(self) -> None:
+        """Ink the velocity or acceleration of the output point, if two moving bars have found it.
+
+        Its vector begins with the letter of the pivot from which its loop starts.
+        """
+        point = self.scene.motion.mechanism.output_point
+        letter = self.pencil.letter(point) if point else ""
+        if letter not in self.pencil.vertices or self.pencil.leads_to(letter):
+            return
+        for loop in self.linkage.loops:
+            last, start = loop.second[-1], loop.second[0].start
+            if isinstance(last, Bar) and last.end == point and start in self.scene.members.fixed:
+                self.pencil.absolute(point, last.link, pivot=start)
 
     def set_out(self, traces: Sequence[Trace[StepVector]]) -> None:
         """Begin after those vectors of the chains that are drawn already."""
