@@ -13,9 +13,8 @@ from playwright.sync_api import Browser, Page
 
 import vad
 from tests.browser import opened, until
-from tests.page.lessons import at, bundle_of, lesson_of, page_of, press, scrub, show
+from tests.page.lessons import at, bundle_of, lesson_of, page_of, press, scrub, show, written
 from vad.files.examples import example_path
-from vad.page.document import document
 from vad.page.parts import parts
 
 NAME = "crank-slotted-lever"
@@ -146,12 +145,11 @@ def test_a_vector_leaves_its_source_and_lands_in_its_place(
 def test_the_image_of_a_link_with_three_points_lands_on_its_triangle(
     browser: Browser, tmp_path: Path
 ) -> None:
-    lesson = vad.animate(vad.draw(vad.solve(vad.load(example_path("stephenson-1"))())))
-    number = next(
-        place for place, each in parts(lesson).data["flights"].items() if each[1] == "area"
-    )
+    html = written(vad.load(example_path("stephenson-1"))())
+    flights = bundle_of(html)[1]["flights"].items()
+    number = next(int(place) for place, each in flights if each[1] == "area")
     with opened(browser, viewport={"width": 1280, "height": 720}) as page:
-        show(page, tmp_path, document(lesson), f"#step={number}")
+        show(page, tmp_path, html, f"#step={number}")
         boxes = []
         for x, place in (
             (1.0 - 1e-6, ".air g:last-child path"),
@@ -165,13 +163,12 @@ def test_the_image_of_a_link_with_three_points_lands_on_its_triangle(
 
 def test_the_image_of_a_link_grows_where_it_lands(browser: Browser, tmp_path: Path) -> None:
     """While it flies it is as large as its link, so that it does not cover what is beside it."""
-    sheet = vad.draw(vad.solve(vad.load(example_path("stephenson-3"))()))
-    lesson = vad.animate(sheet)
-    known = parts(lesson).data["flights"].items()
-    number, phases = next((place, each[2]) for place, each in known if each[1] == "area")
+    html = written(vad.load(example_path("stephenson-3"))())
+    flights = bundle_of(html)[1]["flights"].items()
+    number, phases = next((int(place), each[2]) for place, each in flights if each[1] == "area")
     turn, _, fly = (seconds / sum(phases) for seconds in phases)
     with opened(browser, viewport={"width": 1280, "height": 720}) as page:
-        show(page, tmp_path, document(lesson), f"#step={number}")
+        show(page, tmp_path, html, f"#step={number}")
         boxes = []
         for x in (turn, turn + fly / 2, turn + fly, 1.0 - 1e-6):
             scrub(page, number + x)

@@ -11,8 +11,9 @@ import vad
 from tests.page.hands import EXAMPLES, NAMES, made
 from vad.kinematics.reach import closing_range
 from vad.lecture.followed import Followed
+from vad.page.dimensions import dimensions
 from vad.page.hand import fast
-from vad.page.parts import parts
+from vad.page.parts import parts, turned_board
 
 
 @pytest.mark.exhaustive
@@ -37,7 +38,11 @@ def test_every_number_of_the_table_that_changes_follows(name: str) -> None:
 
 def test_a_dimension_has_the_unit_of_its_quantity() -> None:
     def units(name: str) -> dict[str, tuple[str, float, float]]:
-        return {each[0]: (each[4], each[2], each[3]) for each in made(name)[-1]["dimensions"]}
+        mechanism: Any = vad.MECHANISMS.get(name) or vad.load(str(EXAMPLES[name]))
+        board = turned_board(vad.animate(vad.draw(vad.solve(mechanism()))))
+        assert board
+        found = dimensions(board, list(board.mechanism.inputs))
+        return {each[0]: (each[4], each[2], each[3]) for each in found}
 
     assert units("double-slider")["guide_b"] == ("°", 45.0, 135.0)
     assert units("excavator-bucket")["CAT"] == ("°", -155.0, -65.0)
@@ -53,7 +58,7 @@ def test_an_equation_holds_in_every_position() -> None:
 
 
 def test_of_a_followed_point_a_page_has_the_path_and_the_hodographs_alone() -> None:
-    turn = vad.turn(vad.load(str(EXAMPLES["jansen-leg"]))())
+    turn = vad.turn(vad.load(str(EXAMPLES["roberts"]))())
     lesson = vad.animate(turn.given)
 
     def curves(follow: Followed | None) -> Any:
@@ -61,12 +66,12 @@ def test_of_a_followed_point_a_page_has_the_path_and_the_hodographs_alone() -> N
         assert hand is not None
         return hand.data["curves"]
 
-    foot, every = curves(turn.followed), curves(None)
-    assert [len(tracks) for tracks in every["tracks"]] == [6, 6, 6]
-    row = [each.key for each in turn.given.rows].index("foot")
-    assert [[track[0] for track in tracks] for tracks in foot["tracks"]] == [[row]] * 3
-    assert (foot["on"], every["on"]) == (["paths"], [])
-    assert foot["columns"] == every["columns"]
+    point, every = curves(turn.followed), curves(None)
+    assert [len(tracks) for tracks in every["tracks"]] == [3, 3, 3]
+    row = [each.key for each in turn.given.rows].index("coupler")
+    assert [[track[0] for track in tracks] for tracks in point["tracks"]] == [[row]] * 3
+    assert (point["on"], every["on"]) == (["paths"], [])
+    assert point["columns"] == every["columns"]
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from functools import cache
 from itertools import combinations
 
 import pytest
@@ -10,11 +12,13 @@ import vad
 from tests.page.lessons import lesson_of
 from vad.files.examples import example_path
 from vad.page.ink import Inker
-from vad.page.large import HIGH, large_panels
+from vad.page.large import HIGH, Large, large_panels
 from vad.page.measures import INSIDE
 from vad.page.parts import page_plan, parts, turned_board
 from vad.page.themed import Inks
 from vad.painting.svg_text import Faces
+from vad.plan.board import Plan
+from vad.plan.hand_board import HandBoard
 from vad.plan.items import together
 from vad.plan.reach import corners
 from vad.plan.scene_layout import LARGE, SHARE
@@ -30,15 +34,23 @@ def lesson(name: str) -> vad.Lesson:
     return lesson_of(name)
 
 
+@cache
+def enlarged(name: str) -> tuple[Plan, HandBoard, Inker, Mapping[str, Large]]:
+    """Return the board of a lesson, that under the hand, and what is larger on its page."""
+    film = lesson(name)
+    board, turned = page_plan(film), turned_board(film)
+    assert turned
+    inker = Inker(board.form, Inks(load_style(film.style)), Faces())
+    return board, turned, inker, large_panels(board, turned, inker)
+
+
 @pytest.mark.exhaustive(2)
 @pytest.mark.parametrize("name", [*NAMES, HALVES])
 def test_drawings_grow_and_letters_have_the_size_in_which_they_are_read(name: str) -> None:
-    film = lesson(name)
-    board, turned = page_plan(film), turned_board(film)
-    inker = Inker(board.form, Inks(load_style(film.style)), Faces())
+    board, _, inker, panels = enlarged(name)
     wide, high = INSIDE * SHARE / LARGE / board.form.unit, HIGH / LARGE / board.form.unit
-    for panel in film.sheet.panels:
-        large = large_panels(board, turned, inker)[panel.name]
+    for panel in board.sheet.panels:
+        large = panels[panel.name]
         assert large.area.width < 1.1 * wide and large.area.height < 1.15 * high
         for half, sketch in large.sketches.items():
             before = board.sketches[half]
@@ -61,12 +73,9 @@ def test_drawings_grow_and_letters_have_the_size_in_which_they_are_read(name: st
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_mechanism_has_room_for_all_its_poses(name: str) -> None:
-    film = lesson(name)
-    board, turned = page_plan(film), turned_board(film)
-    assert turned
-    panel = film.sheet.panels[0]
-    inker = Inker(board.form, Inks(load_style(film.style)), Faces())
-    sketch = large_panels(board, turned, inker)[panel.name].sketches[panel.name]
+    board, turned, _, panels = enlarged(name)
+    panel = board.sheet.panels[0]
+    sketch = panels[panel.name].sketches[panel.name]
     for pose in turned.poses:
         assert all(sketch.setting.room.holds(sketch.scale(z), 0.01) for z in corners(pose))
 
