@@ -309,14 +309,14 @@ def test_a_page_that_is_gone_is_written_no_more(window: Page):
 
 def test_another_mechanism_is_an_entry_of_the_history(window: Page):
     load(window, "four-bar")
-    window.select_option("#mechanism", "watt-1.toml")  # an example
-    until(window, lambda: "Watt" in window.locator("h1").inner_text())
+    window.select_option("#mechanism", "hoeken.toml")  # an example
+    until(window, lambda: "Hoeken" in window.locator("h1").inner_text())
     still(window)
     window.go_back()
     until(window, lambda: window.locator("h1").inner_text() == "Four-bar")
     still(window)
     window.go_forward()
-    until(window, lambda: "Watt" in window.locator("h1").inner_text())
+    until(window, lambda: "Hoeken" in window.locator("h1").inner_text())
     still(window)
 
 

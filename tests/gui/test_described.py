@@ -85,7 +85,7 @@ def test_no_request_names_a_file(ask, path: Path):
 def test_examples_and_files_are_asked_for(ask):
     found = ask("entry", "watt-1.toml", language="de")
     assert found["entry"]["name"] == "watt-1"
-    assert "layers" in ask("lesson", "watt-1.toml")
+    assert "layers" in ask("lesson", "hoeken.toml")
     text = example_path("watt-1").read_text("utf-8").replace("84", "85")
     assert ask("entry", "mine.toml", text=text)["mechanism"] == "mine.toml"
     assert ask("pose", "mine.toml")["results"]["parameters"]["crank"] == 85.0

@@ -19,12 +19,12 @@ from tests.gui.test_command import started
 from vad.mechanisms import MECHANISMS
 
 #: How many moves each client makes; ten thousand take some minutes: VAD_FULL=1.
-MOVES = 10_000 if os.environ.get("VAD_FULL") else 100
+MOVES = 10_000 if os.environ.get("VAD_FULL") else 60
 #: So many at first, until all that is kept on purpose is there; and the most that comes then, in
 #: bytes.
-WARM, MOST = 60, 96e6
-#: What both clients move, one after the other.
-MOVED = ("four-bar", "slider-crank", "crank-slotted-lever", "hooke-joint")
+WARM, MOST = 48, 96e6
+#: What both clients move, one after the other, and after how many moves the next comes.
+MOVED, NEXT = ("four-bar", "slider-crank", "crank-slotted-lever", "hooke-joint"), 12
 
 
 class Client:
@@ -43,16 +43,16 @@ class Client:
 
     def move(self, number: int) -> int:
         """Ask for a pose as the page does; return the status of the answer."""
-        name = MOVED[number // 25 % len(MOVED)]
+        name = MOVED[number // NEXT % len(MOVED)]
         driver = next(iter(MECHANISMS[name].inputs))
         question = {"mechanism": name, "inputs": {driver: number * 1.7}}
-        if number % 25 == 0:
+        if number % NEXT == 0:
             self._kept = {}
         if number % 10 == 5:
             parameters = MECHANISMS[name]().parameters()
             changed = self._dice.choice(list(parameters))
             question["parameters"] = {changed: parameters[changed] * self._dice.uniform(0.9, 1.1)}
-        path = "lesson" if number % 75 == 74 else "pose"
+        path = "lesson" if number % 25 == 24 else "pose"
         body = json.dumps(question if path == "lesson" else {**question, **self._kept})
         self._line.request("POST", f"/api/{path}", body, self._headers)
         with self._line.getresponse() as answer:
