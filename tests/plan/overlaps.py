@@ -16,21 +16,26 @@ from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.vertices import LETTER
 from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Sheet
+from vad.strokes.travels import travels
 
 KEY = 0.058
 
 
 #: The plans that were asked for last, by their sheet itself: tests that look at the same sheet
 #: make its plan once.
-_MADE: OrderedDict[tuple[int, tuple[int, int], bool], tuple[Sheet, Plan]] = OrderedDict()
+_MADE: OrderedDict[tuple[int, tuple[int, int], bool, bool], tuple[Sheet, Plan]] = OrderedDict()
 _KEPT = 128
 
 
-def planned(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False) -> Plan:
+def planned(
+    sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False, flying: bool = False
+) -> Plan:
     """Return the plan of a sheet on a screen, with the keys of most styles."""
-    key = id(sheet), size, lesson  # of a sheet that is kept with its plan, so that no other has it
+    # Of a sheet that is kept with its plan, so that no other has the key.
+    key = id(sheet), size, lesson, flying
     if key not in _MADE:
-        _MADE[key] = sheet, plan(sheet, screen(size), KEY, lesson)
+        flights = travels(sheet) if flying else None
+        _MADE[key] = sheet, plan(sheet, screen(size), KEY, lesson, travels=flights)
         if len(_MADE) > _KEPT:
             _MADE.popitem(last=False)
     _MADE.move_to_end(key)

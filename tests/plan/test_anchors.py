@@ -479,9 +479,10 @@ def test_every_vertex_of_a_few_poses_is_where_it_belongs(name):
 
 @pytest.mark.exhaustive(1000)
 @pytest.mark.parametrize("name", KINDS)
-def test_every_vertex_of_many_poses_is_where_it_belongs(name):
-    mechanism = reach_of(name)[0]
-    assert check(name, driven(mechanism, POSES, seed=2)) > 10_000
+def test_every_vertex_of_many_poses_is_where_it_belongs(name, request):
+    """In a usual run a fifth of the poses is looked at."""
+    poses = POSES if request.config.getoption("--exhaustive") else POSES // 5
+    assert check(name, driven(reach_of(name)[0], poses, seed=2)) > 50 * poses
 
 
 @pytest.mark.parametrize("name", SPACE)

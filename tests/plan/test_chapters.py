@@ -82,7 +82,8 @@ def test_the_line_goes_dark_with_the_strokes(name: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "language"), [("slider-crank", "en"), ("jansen-leg", "de"), ("hooke-joint", "fr")]
+    ("name", "language"),
+    [("slider-crank", "en"), ("four-bar-with-slider", "de"), ("hooke-joint", "fr")],
 )
 def test_the_chapter_in_work_is_named(name: str, language: str) -> None:
     lesson = vad.animate(vad.draw(vad.solve(kind_of(name)()), language=language))
@@ -108,7 +109,7 @@ def test_a_lesson_without_an_answer_has_no_chapter_of_it() -> None:
     assert dark(stage, Moment(stage.finished)) == dark(stage, Moment(done(len(lesson.steps))))
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("name", ["spherical-four-bar", "hooke-joint"])
 def test_names_have_room_in_every_language(name: str, language: str) -> None:
@@ -124,7 +125,7 @@ def test_names_have_room_in_every_language(name: str, language: str) -> None:
 
 
 def test_a_later_loop_begins_the_line() -> None:
-    sheet = lesson_of("jansen-leg").sheet
+    sheet = lesson_of("four-bar-with-slider").sheet
     lesson = vad.animate(sheet, loop=2)
     stage = board_of(lesson)
     assert isinstance(stage, Stage)

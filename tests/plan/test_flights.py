@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
 
 import vad
-from tests.plan.overlaps import KEY
+from tests.plan.overlaps import KEY, planned
 from tests.statics.machines import MACHINES
 from tests.statics.test_equilibrium import pose
 from vad.files.examples import example_path
 from vad.lecture.moment import smooth
 from vad.lecture.pace import LANDED, PHASES
 from vad.page.parts import page_plan
-from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.plan.items import FLIGHT, Level
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
@@ -39,7 +39,7 @@ SIDES = {
 
 
 def filmed(sheet, size=(1280, 720)):
-    return plan(sheet, screen(size), KEY, lesson=True, travels=travels(sheet))
+    return planned(sheet, size, lesson=True, flying=True)
 
 
 def flights(board):
@@ -138,6 +138,7 @@ def test_the_image_of_a_flight_is_the_flight_of_the_image():
 # --- vectors --------------------------------------------------------------------------------------
 
 
+@cache
 def moving(name, share=0.31):
     """Return a pose of a machine whose driver changes its speed, and its sheet."""
     machine = MACHINES[name]()
@@ -188,9 +189,11 @@ def test_what_travels_is_its_source_times_a_rate(name):
 
 @pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("name", sorted(MACHINES))
-def test_vectors_fly_from_their_source_to_their_vertices(name):
+def test_vectors_fly_from_their_source_to_their_vertices(name, request):
+    """In a usual run on one page."""
     _, sheet = moving(name)
-    for size in ((1280, 720), (1024, 768)):
+    sizes = ((1280, 720), (1024, 768))
+    for size in sizes if request.config.getoption("--exhaustive") else sizes[:1]:
         board = filmed(sheet, size)
         rest = {item: board.shown(item.since + 1) for item in flights(board)}
         for travel, item, marks in shafts(board):
@@ -398,7 +401,7 @@ def test_the_vector_of_the_crank_turns_about_its_pin():
 def test_a_vector_too_short_to_be_seen_does_not_fly():
     """It grows in its place; one that is a little longer flies."""
     lengths = {True: [], False: []}
-    for alpha in np.linspace(0.2, 12.0, 24):
+    for alpha in np.linspace(0.2, 12.0, 12):
         sheet = vad.draw(vad.solve(vad.SliderCrank(), alpha=float(alpha)))
         board, name = filmed(sheet), "acceleration:AB.tangential"
         scale = board.sketches["acceleration"].scale

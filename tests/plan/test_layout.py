@@ -187,9 +187,9 @@ def test_padding_takes_no_more_than_half_of_a_small_drawing():
 def test_however_many_rows_there_are_a_sheet_is_drawn_or_refused(
     size: tuple[int, int], request: pytest.FixtureRequest
 ):
-    """In a usual run one number of rows in three is tried."""
+    """In a usual run one number of rows in five is tried."""
     sheet, refused = slider_crank(), []
-    counts = range(1, 25, 1 if request.config.getoption("--exhaustive") else 3)
+    counts = range(1, 25, 1 if request.config.getoption("--exhaustive") else 5)
     for count in counts:
         many = replace(sheet, rows=tuple(islice(cycle(sheet.rows), count)))
         try:
