@@ -18,8 +18,9 @@ from vad.plan.labels.obstacles import PIXEL
 from vad.plan.sketch import Sketch, Tag
 from vad.strokes.sheet import Arrow, Block, Dot, Plate, Sheet
 
-#: Nearer than this, two dots look like one; farther from its dot, a letter is not seen to name it.
-LEAST, FARTHEST = 10.0 * PIXEL, 20.0 * PIXEL
+#: Nearer than this, two dots look like one, and the dots at the ends of a vector hide it; farther
+#: from its dot, a letter is not seen to name it.
+LEAST, SHORTEST, FARTHEST = 10.0 * PIXEL, 17.0 * PIXEL, 20.0 * PIXEL
 EQUAL = 1e-9
 #: Points that are nearer than this agree in four digits: no lens tells them apart.
 TINY = 0.06 * PIXEL
@@ -31,9 +32,9 @@ def counted(sheet: Sheet, size: tuple[int, int] = (1280, 720)) -> Counter[str]:
     """Return how many faults of each kind a sheet has; kinds that it has none of are missing.
 
     ``pair``: two lettered points that are not equal, look like one and are in no lens.  ``short``:
-    a vector whose ends do.  ``far``: a letter far from its dot, which no lens shows.  ``astray``: a
-    letter without a leader that is nearer to another dot.  ``lens``: the lenses, which are no
-    fault.  ``on``: a letter on a stroke, or on another letter.
+    a vector that its dots hide.  ``far``: a letter far from its dot, which no lens shows.
+    ``astray``: a letter without a leader that is nearer to another dot.  ``lens``: the lenses,
+    which are no fault.  ``on``: a letter on a stroke, or on another letter.
     """
     found: Counter[str] = Counter()
     for sketch in planned(sheet, size).sketches.values():
@@ -45,7 +46,7 @@ def counted(sheet: Sheet, size: tuple[int, int] = (1280, 720)) -> Counter[str]:
             if abs(one - other) < LEAST and not told_apart(sketch, one, other):
                 found["pair" if abs(one - other) > TINY else "tiny"] += 1
         found["short"] += sum(
-            EQUAL < abs(one - other) < LEAST and not told_apart(sketch, one, other)
+            EQUAL < abs(one - other) < SHORTEST and not told_apart(sketch, one, other)
             for one, other in vectors_of(sketch)
         )
         for tag in sketch.tags:

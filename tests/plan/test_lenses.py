@@ -269,8 +269,8 @@ def test_a_drawing_is_smaller_where_its_only_lens_would_have_no_room():
 
 
 def test_a_leader_is_broken_where_it_crosses_a_stroke():
-    mechanism = vad.load(example_path("watt-2"))()
-    sheet = vad.draw(vad.solve(mechanism, angle=155.0, alpha=20.0))
+    mechanism = vad.load(example_path("drag-link"))()
+    sheet = vad.draw(vad.solve(mechanism, angle=215.0, alpha=20.0))
     sketch = planned(sheet).sketches["acceleration"]
     vectors = [
         piece
@@ -304,7 +304,7 @@ def test_leaders_of_lenses_do_not_cross_each_other():
 
 @pytest.mark.parametrize("name", ["four-bar", "slider-crank", "crank-slotted-lever", "whitworth"])
 def test_a_page_without_such_a_place_has_no_lens(name: str):
-    sheet = vad.draw(vad.solve(vad.MECHANISMS[name](), angle=40))
+    sheet = vad.draw(vad.solve(vad.MECHANISMS[name](), angle=140))
     assert not any(sketch.lenses for sketch in planned(sheet).sketches.values())
 
 

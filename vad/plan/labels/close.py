@@ -1,8 +1,9 @@
 """Points that the eye cannot tell apart: where a lens is needed, and what letters it takes.
 
-Two vertices that are not equal and stand within `LEAST` look like one, and a letter far from its
-dot is not seen to name it.  A lens enlarges such a place by the smallest factor that brings the
-points `APART`, and has the letters of all that it shows.  Needs that are near share one lens.
+Two vertices that are not equal and stand within `LEAST` look like one, the dots at the ends of a
+vector of `SHORTEST` hide it, and a letter far from its dot is not seen to name it.  A lens enlarges
+such a place by the smallest factor that brings the points `APART`, and has the letters of all that
+it shows.  Needs that are near share one lens.
 
 Two lenses are enough for nearly all panels, and more make a panel restless.  But that no two points
 look like one comes first: where lenses leave such points, one more stands if it has room.
@@ -18,8 +19,12 @@ from operator import itemgetter
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.vertices import SAME, Vertex
 from vad.plan.sketch import Close, Setting
+from vad.strokes.sheet import Arrow
 
-LEAST = 10.0 * PIXEL
+#: Dots that are nearer touch each other, or nearly.
+LEAST = 12.0 * PIXEL
+#: Of a vector that is shorter, dots and head leave no line to be seen.
+SHORTEST = 17.0 * PIXEL
 APART = 0.030
 FACTORS = (4.0, 8.0, 12.0, 20.0, 50.0, 100.0, 200.0)
 #: Dots that are so far apart in a lens are seen as two, if nearly.
@@ -38,6 +43,8 @@ MANY = 30
 TRIED = 16  # of the places that a lens may show
 #: What points told apart nearly, and a letter that finds a place, count beside points told apart.
 NEARLY, LETTER = 0.5, 0.1
+#: So far apart, points are seen as two, if not their vector; what it counts to show that, too.
+TWO, HIDDEN = 10.0 * PIXEL, 0.4
 #: Above this factor, points are so near that it says little to tell them apart; what that counts.
 USUAL, FINE = 20.0, 0.3
 #: A letter finds a place where it is shown so many times as large, at most.
@@ -61,12 +68,19 @@ class Need:
             return LETTER if factor <= LETTER_FACTOR else 0.0
         apart = factor * self.distance
         well = 1.0 if apart >= APART else NEARLY if apart >= TOUCHING else 0.0
+        if not self.is_pressing:
+            well *= HIDDEN
         return well if factor <= USUAL else FINE * well
 
+    @property
+    def is_pressing(self) -> bool:
+        """Whether its vertices look like one, or a letter has no place."""
+        return len(self.members) == 1 or self.distance < TWO
 
-def has_close(vertices: Sequence[Vertex]) -> bool:
+
+def has_close(setting: Setting, vertices: Sequence[Vertex]) -> bool:
     """Tell whether two vertices that are not equal look like one."""
-    return any(SAME < abs(one.at - other.at) < LEAST for one, other in combinations(vertices, 2))
+    return any(_needs(setting, vertices, ()))
 
 
 def close_places(
@@ -74,13 +88,17 @@ def close_places(
     vertices: Sequence[Vertex],
     far: Collection[str],
     shown: Callable[[Close], Collection[int]],
+    pressing: bool = False,
 ) -> list[Close]:
     """Return the places that need a lens, the one that tells most apart first.
 
     ``far`` are labels that have no place beside their dots.  What a lens has ``shown`` of a place
     are the numbers of the vertices in it; none where not all of them have their letters there.
+    ``pressing`` leaves out vertices that are seen as two.
     """
-    needs = list(_needs(vertices, far)) if len(vertices) <= MANY else []
+    needs = list(_needs(setting, vertices, far)) if len(vertices) <= MANY else []
+    if pressing:
+        needs = [need for need in needs if need.is_pressing]
     found: list[Close] = []
     taken: set[int] = set()
     while needs and len(found) < MOST:  # each round finds one
@@ -95,13 +113,13 @@ def close_places(
     return found
 
 
-def untold(vertices: Sequence[Vertex], close: Sequence[Close]) -> list[Need]:
+def untold(setting: Setting, vertices: Sequence[Vertex], close: Sequence[Close]) -> list[Need]:
     """Return the pairs of vertices that look like one where no lens of a ``close`` place helps.
 
-    Those that no lens can tell apart are not among them.
+    Those that no lens can tell apart are not among them, nor those that are seen as two.
     """
-    needs = list(_needs(vertices, ())) if len(vertices) <= MANY else []
-    needs = [need for need in needs if need.met(FACTORS[-1])]
+    needs = list(_needs(setting, vertices, ())) if len(vertices) <= MANY else []
+    needs = [need for need in needs if need.is_pressing and need.met(FACTORS[-1])]
     for each in close:
         needs = list(_unmet(needs, each.members, each.factor))
     return needs
@@ -112,7 +130,7 @@ def left_places(
 ) -> Iterator[Close]:
     """Yield places that tell apart what lenses of other ``close`` places do not, the best first."""
     taken = {number for each in close for number in each.members}
-    yield from islice(_tried(setting, vertices, untold(vertices, close), taken), TRIED)
+    yield from islice(_tried(setting, vertices, untold(setting, vertices, close), taken), TRIED)
 
 
 def _unmet(needs: Sequence[Need], shown: Collection[int], factor: float) -> Iterator[Need]:
@@ -146,15 +164,28 @@ def largest(setting: Setting) -> float:
     return LARGEST if len(setting.sheet.panels) > 1 else LARGEST_ALONE
 
 
-def _needs(vertices: Sequence[Vertex], far: Collection[str]) -> Iterator[Need]:
+def _needs(setting: Setting, vertices: Sequence[Vertex], far: Collection[str]) -> Iterator[Need]:
     """Yield what needs a lens."""
+    joined = _joined(setting, vertices)
     for (one, first), (other, second) in combinations(enumerate(vertices), 2):
         distance = abs(first.at - second.at)
-        if SAME < distance < LEAST:
+        if SAME < distance < (SHORTEST if (one, other) in joined else LEAST):
             yield Need((one, other), distance, max(first.since, second.since))
     for number, vertex in enumerate(vertices):
         if vertex.label in far:
             yield Need((number,), LEAST, vertex.since)
+
+
+def _joined(setting: Setting, vertices: Sequence[Vertex]) -> set[tuple[int, ...]]:
+    """Return the pairs of vertices that a vector joins, each by its numbers in order."""
+    if setting.panel.picture != "vectors":
+        return set()
+    numbers = {letter: number for number, each in enumerate(vertices) for letter in each.letters}
+    arrows = (each.shape for each in setting.panel.strokes if isinstance(each.shape, Arrow))
+    pairs = ((numbers.get(each.tail), numbers.get(each.head)) for each in arrows)
+    return {
+        tuple(sorted((one, other))) for one, other in pairs if one is not None and other is not None
+    }
 
 
 def _close(

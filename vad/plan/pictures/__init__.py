@@ -91,7 +91,7 @@ def _views(setting: Setting) -> Sketch:
         about = room.centre + side * room.width / 2
         other = Views(setting, [panel], usual.smaller(share, about)).draw()
         best = min(best, other, key=lambda each: each.astray)
-    if not (setting.lenses and has_close(best.vertices)):
+    if not (setting.lenses and has_close(setting, best.vertices)):
         return best
     scale = best.scale
 

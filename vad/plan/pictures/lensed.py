@@ -80,7 +80,8 @@ class LensedLabels(PlacedLabels):
     Parameters
     ----------
     rank
-        Which of the `subsets` of close places have lenses; there is none from `NONE` on.
+        Which of the `subsets` of close places have lenses, of those that are pressing if there are
+        some; the others have theirs beside them in the same room.  From `NONE` on there is none.
     far
         Labels without a place beside their dots.
     most
@@ -102,6 +103,8 @@ class LensedLabels(PlacedLabels):
         The number of labels that have no free place.
     placed
         Whether the letters have places: there was room for the lenses.
+    pressing
+        Whether more is at stake than vectors that their dots hide.
     """
 
     def __init__(
@@ -115,7 +118,7 @@ class LensedLabels(PlacedLabels):
         self.close: list[Close] = []
         self.led: frozenset[str] = frozenset()
         self.fits = self.forced = self.faults = 0
-        self.placed = False
+        self.placed = self.pressing = False
 
     def with_more(self) -> LensedLabels:
         """Return such labels in a drawing with one more lens, at the price of few faults."""
@@ -135,15 +138,21 @@ class LensedLabels(PlacedLabels):
         scenes: dict[Close, Scene] = {}
 
         def shown(close: Close) -> Collection[int]:
-            scene = scenes[close] = Scene(sketch, close)
-            return scene.shown
+            if close not in scenes:
+                scenes[close] = Scene(sketch, close)
+            return scenes[close].shown
 
         self.close = close_places(setting, vertices, self._far, shown) if self._rank < NONE else []
         if self.close or self._more:
-            scenes_of = [scenes[each] for each in self.close]
-            choices = subsets(scenes_of)[self._rank :] if self.close else [[]]
+            pressing = close_places(setting, vertices, self._far, shown, pressing=True)
+            self.pressing = bool(pressing)
+            wanted = list(subsets(pressing or self.close))[self._rank :] or [()]
+            alike = self.close == pressing or not pressing
+            ways = wanted if alike else [tuple(self.close), *wanted]
+            choices = [[scenes[each] for each in some] for some in ways]
             found = (find_one_more if self._more else find_lenses)(sketch, choices)
-            self.fits = self._rank + found.number if found else NONE
+            number = found.number - (len(ways) - len(wanted)) if found else NONE
+            self.fits = self._rank + max(0, number)
             self.faults = found.faults if found else 0
             if not found or self.fits > self._rank or self.faults > self._most:
                 raise NoRoomError
@@ -186,7 +195,7 @@ def _with_more(
 
     One that has no lens may become smaller for it, if fewer points look like one then.
     """
-    left = len(untold(sketch.vertices, sketch.close)) if setting.lenses else 0
+    left = len(untold(setting, sketch.vertices, sketch.close)) if setting.lenses else 0
     if not sketch.close and left > MOST_PAIRS:
         return sketch
     rooms = [room] if left else []
@@ -197,7 +206,7 @@ def _with_more(
         better = _tried(draw, each, other)
         if not better or other.faults > labels.faults + PRICE or other.forced > labels.forced:
             continue
-        if len(untold(better.vertices, better.close)) < left:
+        if len(untold(setting, better.vertices, better.close)) < left:
             return better
     return sketch
 
@@ -212,7 +221,8 @@ def _roomiest(setting: Setting, draw: Draw) -> tuple[Sketch, LensedLabels, Rect]
     best = (sketch, labels, setting.room) if sketch else None
     if best and not (labels.close and labels.faults):
         return best
-    fits = dict.fromkeys(_smaller_rooms(setting)[: ROOMS - 1] if labels.close else (), 0)
+    rooms = _smaller_rooms(setting) if labels.close else []
+    fits = dict.fromkeys(rooms[: ROOMS - 1 if labels.pressing else MORE_ROOMS], 0)
     for rank in range(NONE):
         left, lettered = BETTER if best else ROOMS, 0
         for room in [room for room, least in fits.items() if least <= rank]:
@@ -316,10 +326,10 @@ class Found(NamedTuple):
             scene.add(spot, view)
 
 
-def subsets(scenes: Sequence[Scene]) -> list[list[Scene]]:
-    """Return which of some close places may have lenses, the choice that tells most apart first."""
-    counts = range(len(scenes), 0, -1)
-    return [list(some) for count in counts for some in combinations(scenes, count)]
+def subsets(close: Sequence[Close]) -> Iterator[tuple[Close, ...]]:
+    """Yield which of some close places may have lenses, the choice that tells most apart first."""
+    for count in range(len(close), 0, -1):
+        yield from combinations(close, count)
 
 
 def find_lenses(sketch: Sketch, choices: Sequence[Sequence[Scene]]) -> Found | None:
