@@ -47,7 +47,10 @@ def test_every_frame_has_one_state_and_strokes_only_grow():
     states = [moment(lesson, number) for number in range(lesson.frames)]
     assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
     opening = states[: lesson.opening]
-    assert {*opening} == {Moment(done(len(lesson.sheet.panels[0].strokes)), said=NOTHING)}
+    beat = done(len(lesson.sheet.panels[0].strokes))
+    inks = [each.share for each in opening]
+    assert {*opening} == {Moment(beat, ink, said=NOTHING, ahead=True) for ink in inks}
+    assert inks[0] == 1.0 > inks[-1] > 0.0 and inks == sorted(inks, reverse=True)
     assert states[-1] == Moment(finished(len(lesson.steps)), scene=3)
     for before, after in pairwise([Moment(done(0)), *states[lesson.opening :]]):
         assert after.beat - before.beat in (0, 1, 2)

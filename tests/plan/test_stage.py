@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from itertools import combinations
 
@@ -171,6 +172,20 @@ def _titles(stage: Stage, beat: int, scene: float) -> list[tuple[str, complex]]:
     texts = [s for s in shapes if isinstance(s, Lettering) and s.at.imag > 0.8]
     found = [("".join(run.text for run in text.runs), text.at) for text in texts]
     return [each for each in found if each[0] in titles]
+
+
+def test_a_film_opens_with_the_mechanism_without_results_and_it_fades():
+    stage, (opening, _) = stage_of("slider-crank"), next(moments(lesson_of("slider-crank")))
+    usual = (replace(opening, ahead=False, beat=beat) for beat in (opening.beat, 0))
+    shown, later, first = (seen(stage, each) for each in (opening, *usual))
+    pictures = [item for item in shown if item.region == "0:position"]
+    drawn = [item for item in later if item.region == "0:position"]
+    for item, whole in zip(pictures, drawn, strict=True):
+        assert item.at(1.0) == [replace(each, growth=item.marks[0].growth) for each in whole.marks]
+        inks = [each.alpha for each in whole.marks]
+        assert [mark.alpha for mark in item.at(0.25)] == [0.25 * ink for ink in inks]
+    words = [item for item in shown if item.region != "0:position"]
+    assert words == [item for item in first if item.region != "0:position"]
 
 
 @pytest.mark.parametrize("language", languages())

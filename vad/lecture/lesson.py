@@ -82,9 +82,10 @@ class LessonStep:
 class Lesson(Displayed):
     """A sheet that is drawn stroke by stroke.
 
-    ``opening`` frames show what is drawn first, as it will be (`opens`), ``closing`` frames the
-    finished page with the ``answer`` in words, if it has one.  The last of them, where there are
-    scenes, bring the panels to their places in the sheet for ``glide``, and show it for ``settle``.
+    ``opening`` frames show what is drawn first, as it will be (`opens`), and how it fades before it
+    is drawn; ``closing`` frames show the finished page with the ``answer`` in words, if it has one.
+    The last of them, where there are scenes, bring the panels to their places in the sheet for
+    ``glide``, and show it for ``settle``.
     ``travels`` says what flies from panel to panel, by the full names of strokes
     (`vad.strokes.travels`); None where nothing does.
     """

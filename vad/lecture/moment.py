@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 #: More beats than any caption has, and none: the caption is not there.
 WHOLE, NOTHING = 1_000, 0
+#: For this share of the opening, at its end, fades what it shows.
+FADES = 0.4
 
 
 def smooth(share: float) -> float:
@@ -52,12 +54,15 @@ class Moment:
     said
         How many beats of its caption have been said; `WHOLE` where it stands as a whole, `NOTHING`
         where there is none.
+    ahead
+        Whether a film opens with what is only drawn later: its share says how much ink that has.
     """
 
     beat: int
     share: float = 1.0
     scene: float = 0.0
     said: int = WHOLE
+    ahead: bool = False
 
 
 def drawing(stroke: int) -> int:
@@ -81,7 +86,11 @@ def moments(lesson: Lesson, most: float = math.inf) -> Iterator[tuple[Moment, in
     A movement has at most ``most`` states per second.
     """
     pace = max(1.0, lesson.fps / most)
-    yield Moment(done(lesson.opens), said=NOTHING), lesson.opening
+    opens = Moment(done(lesson.opens), said=NOTHING, ahead=not lesson.begun)
+    fades = int(FADES * lesson.opening) if opens.ahead else 0
+    yield opens, lesson.opening - fades
+    for share, repeats in _shares_of_movement(fades, pace):
+        yield replace(opens, share=1.0 - smooth(share)), repeats
     for number, step in enumerate(lesson.steps):
         grown = (
             (Moment(drawing(number), smooth(share), step.scene), repeats)

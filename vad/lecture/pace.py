@@ -54,7 +54,7 @@ BEFORE_MOVE, AFTER_BEAT = 0.3, 0.8
 #: and bends to an arrow.  Where a scene ends soon, it flies faster.
 READ, RATE, LEAST_RATE, AFTER_RATE = 0.3, 1.6, 0.8, 0.2
 SHEET = 2.5  # the whole sheet, at the end, to look it over
-OPENING = 0.5
+OPENING = 1.5
 CLOSING = 4.0
 AFTER_ANSWER = 0.2
 LOOK = 1.5  # seconds, at least, to look at what is on the board already

@@ -31,7 +31,7 @@ from vad.plan.items import (
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.layout import MARGIN, OVERLAP, Content, Page, Told, beside, lay_out, rooms
 from vad.plan.lettering.glyphs import typeset
-from vad.plan.marks import Bow, Disc, Lettering, Outline, Polygon, Polyline, Wandering
+from vad.plan.marks import Bow, Disc, Fading, Lettering, Outline, Polygon, Polyline, Wandering
 from vad.plan.page.changing import (
     caption_lines,
     captions,
@@ -119,7 +119,16 @@ class Plan:
 
     def at(self, moment: Moment) -> list[Item]:
         """Return the items that show at a moment, in painting order; see `Board`."""
-        return self.shown(moment.beat)
+        return list(self._ahead(moment.beat)) if moment.ahead else self.shown(moment.beat)
+
+    def _ahead(self, beat: int) -> Iterator[Item]:
+        """Yield what a film opens with: pictures as they will be at a beat, but no results."""
+        panels = {panel.name for panel in self.sheet.panels}
+        for item in self.items:
+            drawn = item.region.rpartition(":")[2] in panels
+            if item.since <= (beat if drawn else 0) < item.until:
+                fading = (replace(mark, growth=Fading()) for mark in item.marks)
+                yield replace(item, since=beat, marks=tuple(fading)) if drawn else item
 
     @property
     def finished(self) -> int:

@@ -119,10 +119,7 @@ class Stage:
         """Return the items that show at a moment, in painting order; see `Board`."""
         number, share = divmod(moment.scene, 1.0)
         now = int(number)
-        if share:
-            own = self._move(now, moment.beat).at(share)
-        else:
-            own = self.scene(now).shown(moment.beat)
+        own = self._move(now, moment.beat).at(share) if share else self.scene(now).at(moment)
         # Title, caption and chapters are the same in all scenes.
         shown = [*self._title, *own]
         if moment.scene <= self.count - 1:
