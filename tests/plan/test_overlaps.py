@@ -94,7 +94,7 @@ def test_a_point_never_stands_in_two_labels():
             assert one != other or not together(first, second)  # a lens takes a letter over
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(32)
 @pytest.mark.parametrize(
     ("name", "place"),
     [
@@ -133,10 +133,10 @@ def test_letters_are_joined_where_points_are_equal(
 ):
     """Where two points look alike but differ, two labels name them: a comma says they are equal.
 
-    In a usual run one pose in four is looked at.
+    In a usual run one pose in nine is looked at.
     """
     mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))(**RAMS.get(name, {}))
-    every = 1 if request.config.getoption("--exhaustive") else 4
+    every = 1 if request.config.getoption("--exhaustive") else 9
     for sheet in turn(mechanism, steps=72, some=range(first, first + 9, every)):
         for sketch in planned(sheet).sketches.values():
             panel = sketch.setting.panel

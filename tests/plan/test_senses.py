@@ -78,7 +78,7 @@ def found_senses_of(board: Plan) -> list[Item]:
     ]
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize("angle", [0, 35, 100, 160, 250, 310])
 @pytest.mark.parametrize("name", ROOMY)
 def test_each_rate_has_its_arrow_in_its_sense(name, angle):
