@@ -22,7 +22,7 @@ from vad.plan.items import ALWAYS, FOREVER, Item
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Bow, Lettering, Polygon
 from vad.plan.pictures.sense_places import Places, distances
-from vad.plan.pictures.senses import found_senses
+from vad.plan.pictures.senses import _ends, _seen_from, found_senses, placed_senses
 from vad.plan.pictures.senses_in_views import senses_in_views
 from vad.plan.problem_sheet import blank_panels, problem
 from vad.strokes.reveals import measurer
@@ -214,6 +214,23 @@ def test_a_link_without_a_pivot_turns_about_the_joint_that_captions_name(name, l
     own = [each.bow.centre for each in seen(found_senses(board.sketches)) if each.row == number]
     assert own
     assert all(abs(centre - at) < 1e-9 for centre in own)
+
+
+@pytest.mark.exhaustive(2)
+@pytest.mark.parametrize("name", ["atkinson-engine", "pantograph", "peaucellier", "shaper"])
+def test_an_arrow_about_another_joint_points_as_captions_see_it(name):
+    """Beyond the far end of its link it lies on one ray with the joint that captions name."""
+    board = plan(vad.draw(vad.solve(vad.load(example_path(name))())), screen((1280, 720)), KEY)
+    sketch, count = board.sketches["position"], 0
+    for row, _, place in placed_senses(sketch, board.sketches):
+        pivots, *_ = _ends(sketch.setting.panel.bodies, row, sketch.vertices)
+        pin = _seen_from(board.sketches, row)
+        named = [vertex.at for vertex in sketch.vertices if pin in vertex.letters]
+        out = place.line[6] - place.centre
+        seen = [place.line[6] - at for at in pivots or named]
+        count += 1
+        assert any((each.conjugate() * out).real > 0.86 * abs(each * out) for each in seen), row.key
+    assert count > 3
 
 
 @pytest.mark.parametrize(("name", "most"), [("four-bar", 6), ("beam-engine", 120)])

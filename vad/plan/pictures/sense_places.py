@@ -50,6 +50,8 @@ BESIDE = (
     (0.092, 50.0),
     (0.092, 36.0),
     (0.066, 40.0),
+    (0.022, 110.0),
+    (0.022, 90.0),
 )
 #: How far beyond the other end of the link one runs that turns about both.
 PAST = (0.030, 0.042, 0.054)
@@ -82,9 +84,9 @@ NAME_SHARES, NAME_WAYS, NAME_GAPS = map(
 ENDS, FARTHEST = 0.012, 0.075
 #: The cosine between two directions that are seen to be opposite.
 AGAINST = -0.85
-#: How much worse an arrow is beside its link, beyond both ends, about an end that is not fixed
-#: where the other one is, about one from which captions do not see it, and with small letters.
-ASIDE, FAR_END, LOOSE, UNSEEN, SMALL = 1.0, 1.5, 1.5, 10.0, 0.3
+#: How much worse an arrow is beside its link, beyond both ends, about an end that is no anchor, and
+#: with small letters.
+ASIDE, FAR_END, LOOSE, SMALL = 1.0, 1.5, 1.5, 0.3
 #: So many arrows are looked at together, and so many of one sense are tried with one of the other.
 AT_ONCE, MOST_PAIRS = 16, 40
 #: What lies so near the axis of a link belongs to it.
@@ -154,13 +156,12 @@ class Places:
     bars, others
         The bars of the link, and those of other links, to which no arrow is to seem to belong.
     pivots, joints, ends
-        Its fixed pivots, its joints, and all of its lettered points.  An arrow stands about a
-        pivot, or beyond another joint, where both see it turn alike.  Without pivots it stands
-        about a joint.  Its middle is nearer to its centre than to any of them outside of its
-        circle.
+        Its fixed pivots, its joints, and all of its lettered points.  An arrow stands about an
+        anchor, or beyond another joint, where both see it turn alike.  Its middle is nearer to its
+        centre than to any of them outside of its circle.
     seen_from
         The joint from which captions see a link turn that has no pivot.  About another one an
-        arrow would point against what they say: it stands there only if it has no room here.
+        arrow would point against what they say.
     farthest
         How far from the link the middle of an arrow lies at most.
     """
@@ -309,6 +310,11 @@ class Places:
 
     # --- arrays: one row for each arrow, whatever its sense ---
 
+    @property
+    def anchors(self) -> Sequence[complex]:
+        """The pivots of the link; where it has none, the joint from which captions see it turn."""
+        return self.pivots or ([] if self.seen_from is None else [self.seen_from])
+
     @cached_property
     def _arrows(self) -> _Arrows:
         centres, tables = [np.empty(0, complex)], [np.empty((5, 0))]
@@ -318,10 +324,8 @@ class Places:
                 across = _across()
                 table = np.hstack([across[:, across[0] < 0.92 * length], _beside(), _past(length)])
                 table[2] += ahead
-                if self.pivots:
-                    table[4] += LOOSE * (not _among(at, self.pivots))
-                elif self.seen_from is not None:
-                    table[4] += UNSEEN * (not _among(at, [self.seen_from]))
+                if self.anchors:
+                    table[4] += LOOSE * (not _among(at, self.anchors))
                 tables.append(table)
                 centres.append(np.full(table.shape[1], at))
         return _Arrows(np.concatenate(centres), *np.hstack(tables))
@@ -342,9 +346,9 @@ class Places:
         middles = lines[:, len(SHARES) // 2]
         off = distances(middles, self.bars)
         apt = np.asarray((off < self.farthest) & (off <= distances(middles, self.others) + PIXEL))
-        if self.pivots:
+        if self.anchors:
             outs = np.exp(1j * np.radians(self._arrows.middles))
-            seen = (middles[:, None] - np.array(self.pivots)) * outs[:, None].conjugate()
+            seen = (middles[:, None] - np.array(self.anchors)) * outs[:, None].conjugate()
             apt &= (seen.real > ALIKE * np.abs(seen)).any(axis=1)
         for end in self.ends:  # those within its circle it turns about as well
             within = np.abs(self._arrows.centres - end) < self._arrows.radii
