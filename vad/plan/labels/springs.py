@@ -27,17 +27,17 @@ Complexes = NDArray[np.complex128]
 Bools = NDArray[np.bool_]
 
 DIRECTIONS = 48
-GAPS = (0.007, 0.014, 0.024, 0.036, 0.050, 0.066)
+GAPS = (0.007, 0.014, 0.024, 0.036, 0.050, 0.066, 0.085)
 #: How far a label may move about its dot from one pose to the next, of `POSES` in a turn.
 POSES = 120
 FASTEST = 22.0 * PIXEL
 
 # What a label pays in each pose: for standing where it should not …
 _CROSSED, _OUTSIDE, _COVERED, _CLOSE, _ON_WAY = 30.0, 60.0, 200.0, 2.0, 0.4
-_ON_DOT, _EXCHANGED, _MISREAD = 200.0, 60.0, 8.0
+_ON_DOT, _EXCHANGED, _MISREAD = 800.0, 120.0, 8.0
 _PER_CELL = 0.15
 _FIRST = 4.0  # so many times as much in the first pose, which is drawn as a still, too
-_FAR = np.array([0.0, 0.1, 0.4, 1.0, 2.0, 3.5])
+_FAR = np.array([0.0, 0.1, 0.4, 1.0, 2.0, 3.5, 5.0])
 _STIFF = 2.0  # … and for moving on as fast as it may.
 _APART = (0.020, 0.006)  # between labels, aside and above
 _NEARER = 1.3  # by this factor a label is nearer to its own dot than to any other
