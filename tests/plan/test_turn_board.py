@@ -158,7 +158,7 @@ def test_a_polygon_shows_whole_vectors_and_few_letters(board: TurnBoard):
     assert names == {
         "position": {"A", "B", "C", "D", "E"},
         "velocity": {"a, d", "b", "q", "c", "e"},
-        "acceleration": {"a′, d′", "b′", "q′", "c′", "e′", "2ωv"},
+        "acceleration": {"a′, d′", "b′", "z", "q′", "c′", "e′", "2ωv"},
     }
 
 

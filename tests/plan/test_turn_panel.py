@@ -8,12 +8,14 @@ import pytest
 
 import vad
 from tests.plan.turns import LEVER, WHITWORTH, board_of
+from vad.files.examples import example_path
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering, Polyline
 from vad.plan.reach import corners
 from vad.plan.turn_board import TurnBoard
 from vad.plan.turn_labels import FAR
+from vad.strokes.sheet import Arrow
 
 pytestmark = pytest.mark.exhaustive
 
@@ -98,3 +100,26 @@ def _apart(point: complex, text: Lettering) -> float:
     high = text.at + text.size * complex(ink.right, ink.top)
     aside = max(low.real - point.real, point.real - high.real, 0.0)
     return math.hypot(aside, max(low.imag - point.imag, point.imag - high.imag, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("name", "letters"),
+    [
+        ("gate-actuator", {"velocity": {"s"}, "acceleration": {"s′", "sₙ", "z"}}),
+        ("shaper", {"acceleration": {"z"}}),
+    ],
+)
+def test_ends_of_vectors_that_are_no_images_have_letters(name: str, letters: dict[str, set[str]]):
+    kind = vad.MECHANISMS.get(name) or vad.load(example_path(name))
+    here = board_of(kind())
+    for half, wanted in letters.items():
+        panel = here.panels[half]
+        found = {label.text: label for label in panel.labels.names}
+        assert wanted <= found.keys()
+        for phase in (0.0, 0.213, 0.611):
+            pose = here.turn.at(phase).panel(half)
+            arrows = [s.shape for s in pose.strokes if isinstance(s.shape, Arrow)]
+            ends = {arrow.head: panel.scale(arrow.end) for arrow in arrows}
+            for letter in wanted:
+                at = panel.labels.dot(found[letter], pose, phase)
+                assert abs(at - ends[letter]) < PIXEL, (letter, phase)

@@ -238,7 +238,10 @@ class TurnLabels:
 
 
 def grouped(ways: Hodographs, drawn: Sequence[Spot]) -> list[tuple[Spot, ...]]:
-    """Return the letters in groups that share a dot in all poses, the calmest group first."""
+    """Return the letters in groups that share a dot in all poses, the calmest group first.
+
+    Last are those of which no path is drawn.
+    """
     tracks, found = ways.tracks, list[list[Spot]]()
     for letter, way in tracks.items():
         if not letter.lettered:
@@ -248,7 +251,8 @@ def grouped(ways: Hodographs, drawn: Sequence[Spot]) -> list[tuple[Spot, ...]]:
             found.append([letter])
         elif letter.row or not np.ptp(way):  # the lever's point under a pin needs no letter
             same[0].append(letter)
-    return [tuple(group) for group in sorted(found, key=lambda g: g[0] in drawn)]
+    ranked = sorted(found, key=lambda group: (group[0].path == "none", group[0] in drawn))
+    return [tuple(group) for group in ranked]
 
 
 def is_far(spot: Spot, panel: Panel) -> bool:

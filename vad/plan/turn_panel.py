@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from vad.lecture.cycle import Cycle
+from vad.lecture.cycle import Cycle, Reals
 from vad.plan.chart import BASELINE, HEIGHT, LEAST, SIZE
 from vad.plan.hodographs import Complexes, Hodographs, within
 from vad.plan.items import Item, Level
@@ -23,11 +23,11 @@ from vad.plan.lettering.runs import roman
 from vad.plan.marks import Lettering, Mark, line, lines
 from vad.plan.pictures import over_turn
 from vad.plan.pictures.machine import TICK, TICK_PITCH
-from vad.plan.pictures.polygon import Polygon
+from vad.plan.pictures.polygon import Polygon, principal
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turn_labels import TurnLabels, grouped
 from vad.plan.turn_lens import TurnLens, find_lens, with_lens
-from vad.strokes.diagram import Spot
+from vad.strokes.diagram import ACCELERATION, VELOCITY, Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel
 from vad.words import Language
 
@@ -61,6 +61,8 @@ class TurnPanel:
         self._setting, self._opening, self.picture = setting, opening, picture
         self.room = setting.room
         tracks = cycle.tracks.get(setting.panel.name, {})  # of a balanced polygon none
+        if setting.panel.name in (VELOCITY.panel, ACCELERATION.panel):
+            tracks = {**tracks, **_corners(poses, tracks, cycle.shares + opening)}
         fixed = {spot.letter for spot, way in tracks.items() if not spot.view and np.ptp(way) == 0}
         rows = {
             spot: setting.row(spot.row or owner_of(spot.letter, fixed, poses)) for spot in tracks
@@ -183,6 +185,31 @@ def _ground(way: Complexes) -> list[Mark]:
     feet = [complex(right - number * pitch, level) for number in range(int((right - left) / pitch))]
     rail = line((complex(left, level), complex(right, level)), "rail")
     return [rail, lines([(foot, foot + tick) for foot in feet], "hatching")]
+
+
+def _corners(
+    poses: Sequence[Panel], tracks: Mapping[Spot, Complexes], phases: Reals
+) -> dict[Spot, Complexes]:
+    """Return where those ends of vectors are that are the image of no point, as s, sₙ and z.
+
+    Where a vector has no length they are between their places before and after.
+    """
+    found: dict[str, dict[float, complex]] = {}
+    for number, pose in enumerate(poses):
+        for stroke in principal(pose).strokes:
+            if isinstance(stroke.shape, Arrow):
+                ends = (
+                    (stroke.shape.tail, stroke.shape.start),
+                    (stroke.shape.head, stroke.shape.end),
+                )
+                for letter, at in ends:
+                    found.setdefault(letter, {})[number / len(poses)] = at
+    known = {"", *(spot.letter for spot in tracks)}
+    return {
+        Spot(letter, path="none"): np.interp(phases, [*places], [*places.values()], period=1.0)
+        for letter, places in found.items()
+        if letter not in known and tracks
+    }
 
 
 def _unconcerned(setting: Setting, cycle: Cycle) -> frozenset[str]:
