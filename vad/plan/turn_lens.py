@@ -14,7 +14,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import NDArray
 
-from vad.plan.geometry import Rect
+from vad.plan.geometry import Rect, bar_corners
 from vad.plan.hodographs import Complexes, Hodographs
 from vad.plan.items import Item, Level
 from vad.plan.labels.close import LARGEST_ALONE, LEAST_RING, SMALLEST
@@ -22,7 +22,7 @@ from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.placing import APART
 from vad.plan.labels.springs import Ballast, Crowd
 from vad.plan.lens import BAND, Lens, circle
-from vad.plan.marks import disc
+from vad.plan.marks import area, disc
 from vad.plan.pictures.lenses import (
     BELOW,
     BESIDE,
@@ -139,7 +139,12 @@ class TurnLens:
         sketch.items = []
         self.labels.add(sketch, panel, phase, Level.LENS)
         region, lens = self.polygon.still.setting.panel.column, self.lens
-        ground = Item("", region, Level.LENS, (disc(lens.at, lens.radius, "lens"),))
+        # A hodograph ends beside the words, as it does at the rim.
+        words, middle = self.spot.words.box(self.spot.middle).inside(-CLEAR), self.spot.middle
+        half = words.width / 2
+        plate = bar_corners(middle - half, middle + half, words.height)
+        blank = disc(lens.at, lens.radius, "lens"), area(plate, "lens")
+        ground = Item("", region, Level.LENS, blank)
         frame = Item("", region, Level.LENS, tuple(self.spot.frame()))
         for item in (ground, *drawn, frame):
             faded = (replace(mark, alpha=ink * mark.alpha) for mark in item.marks)
