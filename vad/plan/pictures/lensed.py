@@ -228,7 +228,8 @@ def _roomiest(setting: Setting, draw: Draw) -> tuple[Sketch, LensedLabels, Rect]
         for room in [room for room, least in fits.items() if least <= rank]:
             other = LensedLabels(rank, most=best[1].faults - 1 if best else math.inf)
             sketch = _tried(draw, room, other)
-            fits[room], left, lettered = other.fits, left - 1, lettered + other.placed
+            fits[room] = other.fits if other.close else NONE
+            left, lettered = left - 1, lettered + other.placed
             if sketch and other.close and (best is None or other.faults < best[1].faults):
                 left = left if best else BETTER
                 best = sketch, other, room
