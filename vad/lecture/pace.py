@@ -53,8 +53,8 @@ BEFORE_MOVE, AFTER_BEAT = 0.3, 0.8
 #: A found ω or α leaves its caption when its number has stood there for a moment, flies to its link
 #: and bends to an arrow.  Where a scene ends soon, it flies faster.
 READ, RATE, LEAST_RATE, AFTER_RATE = 0.3, 1.6, 0.8, 0.2
-SHEET = 2.5  # the whole sheet, at the end, to look it over
-OPENING = 1.5
+SHEET = 2.0  # the whole sheet, at the end, to look it over
+OPENING = 1.0
 CLOSING = 4.0
 AFTER_ANSWER = 0.2
 LOOK = 1.5  # seconds, at least, to look at what is on the board already

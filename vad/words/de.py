@@ -118,8 +118,8 @@ PHRASES = {
     "block": "{slide:Der} {head} steht bei {symbol} = {value} {unit}.",
     "block from": ("{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus."),
     "block beside": (
-        "{slide:Der} {head} steht bei {symbol} = {value} {unit}, im Schlitz gemessen von dem "
-        "Punkt aus, der {tail} am nächsten liegt."
+        "{slide:Der} {head} steht bei {symbol} = {value} {unit}, im Schlitz vom Punkt aus "
+        "gemessen, der {tail} am nächsten ist."
     ),
     "plate": "{link:Der} ist der starre Körper {corners}.",
     "third point": "{letter} ist der Schnittpunkt der Bögen: {corners} behält seinen Umlaufsinn.",
@@ -161,9 +161,7 @@ PHRASES = {
         "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} im Drehsinn von "
         "{alpha}: {whose}."
     ),
-    "sliding velocity": (
-        "{label} = {value} {unit}, {way}: die gegebene Geschwindigkeit längs {line:des}."
-    ),
+    "sliding velocity": ("{label} = {value} {unit}, {way}: längs {line:des} gegeben."),
     "sliding acceleration": (
         "{label} = {value} {unit}, {way}: die gegebene Beschleunigung längs {line:des}."
     ),
@@ -235,12 +233,12 @@ PHRASES = {
         "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image similar": (
-        "{letter} aus {image} {link:des}, {triangle} ist gleichsinnig ähnlich zu {corners}: "
+        "{letter} aus {image} {link:des}, {triangle} gleichsinnig ähnlich zu {corners}: "
         "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
         "Durch {point} unter ∠{corner} = {angle}°, {sense} von {side} aus, wie am Glied: {meeting} "
-        "liegt auf dieser Geraden."
+        "liegt darauf."
     ),
     "image alike velocity": (
         "{letter} fällt auf {point}: {link:der} dreht sich in diesem Augenblick nicht, alle Punkte "

@@ -186,8 +186,7 @@ PHRASES = {
         "{meeting} lies on it."
     ),
     "across acceleration": (
-        "⟂ {bar} through {point}: its direction is known, its length is not, so {meeting} lies on "
-        "this line."
+        "⟂ {bar} through {point}: only its direction is known, so {meeting} lies on it."
     ),
     "along velocity": (
         "∥ {line} through {point}: the {slide} {head} can move no other way, so {meeting} lies on "
@@ -202,8 +201,7 @@ PHRASES = {
         "{meeting} lies on it."
     ),
     "along acceleration": (
-        "∥ {line} through {point}: its direction is known, its length is not, so {meeting} lies on "
-        "this line."
+        "∥ {line} through {point}: only its direction is known, so {meeting} lies on it."
     ),
     "crossing": "{letter} is where both lines cross.",
     "crossing zero": "{letter} is where both lines cross: {found}.",

@@ -183,8 +183,8 @@ PHRASES = {
         "ne peut se déplacer qu’en travers, donc {meeting} y est."
     ),
     "across acceleration": (
-        "Par {point}, la perpendiculaire à {bar} : sa direction est connue, sa longueur ne l’est "
-        "pas, donc {meeting} est sur cette droite."
+        "Par {point}, la perpendiculaire à {bar} : seule sa direction est connue, donc {meeting} y "
+        "est."
     ),
     "along velocity": (
         "Par {point}, la parallèle {line:au} : {slide:le} {head} ne peut pas se déplacer "
@@ -199,8 +199,7 @@ PHRASES = {
         "déplacer autrement, donc {meeting} y est."
     ),
     "along acceleration": (
-        "Par {point}, la parallèle {line:au} : sa direction est connue, sa longueur ne l’est pas, "
-        "donc {meeting} est sur cette droite."
+        "Par {point}, la parallèle {line:au} : seule sa direction est connue, donc {meeting} y est."
     ),
     "crossing": "{letter} est à l’intersection des deux droites.",
     "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
