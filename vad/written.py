@@ -24,14 +24,14 @@ WRITTEN_OUT = (-4, 6)
 #: Whole numbers with at least so many digits get a space between thousands.
 _PARTED = 5
 _THOUSANDS = re.compile(r"(?<=\d)(?=(?:\d{3})+$)")
-_DEGREE = "°"
-_DEGREES = (_DEGREE, "deg")
+DEGREE = "°"
+_DEGREES = (DEGREE, "deg")
 _FULL_TURN = 360.0
 #: The digits of a subscript: ``"O4".translate(LOW)`` is "O₄".
 LOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-_SIGNS = {"deg": _DEGREE, "^2": "²"}
+_SIGNS = {"deg": DEGREE, "^2": "²"}
 
 
 def quantity(value: float, unit: str, given: bool = False) -> str:
@@ -85,12 +85,18 @@ def plain(value: float, unit: str = "", given: bool = False, digits: int = 0) ->
     --------
     >>> plain(-1234567.0), plain(2.30769), plain(2.30769, digits=5), plain(60.0, given=True)
     ('-1.235e+06', '2.308', '2.3077', '60')
+    >>> plain(4.2536, "°"), plain(4.2536, "°", digits=4)
+    ('4.3', '4.254')
     """
     if not math.isfinite(value):
         return "–"
     if given:
         return typed(value, unit, max(GIVEN, digits))
-    return f"{in_turn(value):.1f}" if unit == _DEGREE else _rounded(value, max(MEASURED, digits))
+    if unit != DEGREE:
+        return _rounded(value, max(MEASURED, digits))
+    usual = f"{in_turn(value):.1f}"
+    shown = len(usual.replace(".", "").lstrip("-0"))
+    return usual if digits <= shown else _rounded(math.fmod(value, _FULL_TURN), digits)
 
 
 def _rounded(value: float, digits: int) -> str:
@@ -198,7 +204,7 @@ def with_unit(text: str, unit: str) -> str:
     >>> with_unit("60", "°"), with_unit("160.0", "mm"), with_unit("2", "")
     ('60°', '160.0 mm', '2')
     """
-    return text + ("" if unit == _DEGREE or not unit else " ") + unit
+    return text + ("" if unit == DEGREE or not unit else " ") + unit
 
 
 def sign(unit: str) -> str:

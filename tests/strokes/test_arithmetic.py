@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import vad
 from tests.limits import within
 from vad.files.examples import example_path
-from vad.strokes.arithmetic import Figure, product, total, with_digits
+from vad.strokes.arithmetic import Figure, product, product_of_sines, total, with_digits
 from vad.strokes.notation import Notation
 from vad.strokes.sentences import Sentence
 from vad.written import plain
@@ -82,3 +82,23 @@ def test_a_drawing_with_lengths_far_apart_is_made(name, lengths):
     lengths = lengths or {"side": 1e150 * kind().side}
     with within(20.0):
         vad.draw(vad.solve(kind(**lengths)))
+
+
+@settings(max_examples=200)
+@given(st.floats(0.001, 179.0), st.floats(1.0, 179.0))
+def test_angles_have_more_decimals_where_their_sines_would_not_come_out(above, below):
+    size = math.sin(math.radians(above)) / math.sin(math.radians(below))
+    figures = {"a": Figure(size), "b": Figure(above, "°"), "c": Figure(below, "°", power=-1)}
+    parts = with_digits(Sentence("", figures, (product_of_sines("a", "b", "c"),)), Notation())
+    texts = {name: plain(x.value, x.unit, digits=x.digits) for name, x in parts.items()}
+    made = math.sin(math.radians(float(texts["b"]))) / math.sin(math.radians(float(texts["c"])))
+    last = Fraction(10) ** (math.floor(math.log10(float(texts["a"]))) - 3)
+    assert abs(made - float(texts["a"])) <= last / 2, texts
+    assert all(parts[name].digits <= most for name, most in {"a": 5, "b": 7, "c": 7}.items()), texts
+
+
+def test_an_angle_that_shows_no_digit_is_no_divisor():
+    """The sine of 0.02° is not that of 0.0°, by which nothing is divided."""
+    figures = {"a": Figure(0.5), "b": Figure(0.01, "°"), "c": Figure(0.02, "°", power=-1)}
+    parts = with_digits(Sentence("", figures, (product_of_sines("a", "b", "c"),)), Notation())
+    assert [plain(parts[x].value, "°", digits=parts[x].digits) for x in "bc"] == ["0.010", "0.020"]

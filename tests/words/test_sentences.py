@@ -38,13 +38,17 @@ def strokes(data: dict[str, Any]) -> Iterator[dict[str, Any]]:
         yield from panel.get("below", {"strokes": []})["strokes"]
 
 
-def numbers(said: dict[str, Any], names: list[str | float]) -> list[tuple[float, int]]:
-    """Return the numbers of the parts of a sentence in JSON, each with its power."""
+def numbers(
+    said: dict[str, Any], names: list[str | float], sines: bool = False
+) -> list[tuple[float, int]]:
+    """Return the numbers of the parts of a sentence in JSON, or their sines, and their powers."""
     found = []
     for name in names:
         part = said["parts"][name] if isinstance(name, str) else {"figure": name}
         for each in part.get("terms", [part]):
-            found.append((each["figure"], each.get("power", 1)))
+            angle = sines and each.get("unit") == "°"
+            value = math.sin(math.radians(each["figure"])) if angle else each["figure"]
+            found.append((value, each.get("power", 1)))
     return found
 
 
@@ -52,10 +56,10 @@ def calculated(said: dict[str, Any]) -> Iterator[tuple[float, float]]:
     """Yield the results of a sentence in JSON, and what its numbers make."""
     for each in said.get("calculations", []):
         ((result, _),) = numbers(said, [each["result"]])
-        operands = numbers(said, each["operands"])
+        operands = numbers(said, each["operands"], each["operation"] == "sines")
         values = [value for value, _ in operands]
         match each["operation"]:
-            case "product":
+            case "product" | "sines":
                 yield result, math.prod(value**power for value, power in operands)
             case "sum":
                 yield result, sum(values)

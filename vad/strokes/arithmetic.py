@@ -6,6 +6,7 @@ not come out: a reader who types the printed numbers into a calculator must get 
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING, Literal
 
 from vad.kinematics.symbol import Symbol
 from vad.strokes.notation import Notation
-from vad.written import GIVEN, MEASURED, plain
+from vad.written import DEGREE, GIVEN, MEASURED, plain
 
 if TYPE_CHECKING:
     from vad.strokes.sentences import Sentence, SentencePart
@@ -26,6 +27,8 @@ EXTRA_DIGITS = 2
 #: The significant digits of a number in double precision.
 _ALL = 15
 _EXACT = Context(prec=50)
+#: What one over a printed zero is: no result agrees with it.
+_BEYOND = Decimal("1e999")
 
 
 @dataclass(slots=True)  # a frozen one takes several times as long to make
@@ -78,7 +81,8 @@ class Terms:
 
 #: A ``hypotenuse`` is the root of the sum of the squares of its operands, the legs.  A ``leg`` is
 #: the root of the difference of the squares of its operands, the hypotenuse and the other leg.
-CalculationKind = Literal["product", "sum", "hypotenuse", "leg"]
+#: ``sines`` are a product in which each angle in degrees stands for its sine.
+CalculationKind = Literal["product", "sines", "sum", "hypotenuse", "leg"]
 
 
 @dataclass(slots=True)
@@ -86,7 +90,7 @@ class Calculation:
     """A calculation in a sentence.
 
     ``result`` and ``operands`` are the names of parts of the sentence; an operand may also be a
-    constant number.  In a product each number is raised to its ``Figure.power``.
+    constant number.  In a product each number, or its sine, is raised to its ``Figure.power``.
     """
 
     result: str
@@ -97,6 +101,11 @@ class Calculation:
 def product(result: str, *factors: str | float) -> Calculation:
     """Return the calculation of a part as the product of others."""
     return Calculation(result, "product", factors)
+
+
+def product_of_sines(result: str, *factors: str | float) -> Calculation:
+    """Return the calculation of a part as a product with the sines of those in degrees."""
+    return Calculation(result, "sines", factors)
 
 
 def total(result: str, *addends: str) -> Calculation:
@@ -134,6 +143,7 @@ def _leg(sides: list[Decimal]) -> Decimal:
 #: How each operation is calculated from the printed numbers.
 _OPERATIONS: dict[CalculationKind, Callable[[list[Decimal]], Decimal]] = {
     "product": _product,
+    "sines": _product,
     "sum": _sum,
     "hypotenuse": _hypotenuse,
     "leg": _leg,
@@ -153,15 +163,16 @@ def with_digits(sentence: Sentence, notation: Notation) -> Mapping[str, Sentence
     """
     alike: dict[str, list[_Typed]] = defaultdict(list)
 
-    def typed(figure: Figure) -> _Typed:
-        number = _Typed(figure, notation)
+    def typed(figure: Figure, sines: bool = False) -> _Typed:
+        number = _Typed(figure, notation, sines)
         alike[number.key].append(number)
         return number
 
     calculations = []
     for each in reversed(sentence.calculations):
         (result,) = map(typed, sentence.figures((each.result,)))
-        operands = [typed(figure) for figure in sentence.figures(each.operands)]
+        sines = each.operation == "sines"
+        operands = [typed(figure, sines) for figure in sentence.figures(each.operands)]
         calculations.append((result, operands, _OPERATIONS[each.operation]))
     digits: dict[str, int] = {}
     # Each number gets more digits only, and `_ALL` at most.
@@ -210,13 +221,15 @@ class _Typed:
     key
         The same for all numbers of its size.
     number, factor
-        The number as it is printed, and that number raised to the power that it has in a product.
+        The number as it is printed, and that number, or its sine, raised to the power that it has
+        in a product.
     """
 
-    def __init__(self, figure: Figure, notation: Notation) -> None:
+    def __init__(self, figure: Figure, notation: Notation, sines: bool = False) -> None:
         self.figure, self.key = figure, _key(figure.value)
         unit = figure.scale or figure.unit
         self._value, self._unit = notation.scaled(figure.value, unit), notation.unit(unit)
+        self._sine = sines and self._unit == DEGREE
         self.read(0)
 
     def read(self, digits: int) -> None:
@@ -227,22 +240,27 @@ class _Typed:
 
     @property
     def true(self) -> Decimal:
-        """The number without rounding, raised likewise."""
+        """The factor without rounding."""
         return self._raised(Decimal(self._value))
 
     def _raised(self, number: Decimal) -> Decimal:
         power = self.figure.power
+        if self._sine:
+            number = Decimal(math.sin(math.radians(number)))
+        if power < 0 and not number:
+            return _BEYOND
         return number if power == 1 else _EXACT.power(number, power)
 
     @property
     def count(self) -> int:
         """The significant digits of the number, or more if it was asked for more than it shows.
 
-        A zero shows one digit, and a measured angle has one decimal, whatever was asked for.
+        A zero shows one digit, whatever was asked for.
         """
         if self.figure.given:
             return max(GIVEN, self._digits)
-        return max(MEASURED, self._digits, len(self.number.as_tuple().digits))
+        usual = 0 if self._unit == DEGREE else MEASURED
+        return max(usual, self._digits, len(self.number.as_tuple().digits))
 
     @property
     def exact(self) -> bool:

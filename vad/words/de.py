@@ -381,7 +381,7 @@ PHRASES = {
     ),
     "bodies fold again": "Wieder wird diese Ebene um *OI* ins Blatt umgeklappt.",
     "bodies sines": (
-        "{symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / sin({di}°)."
+        "{symbol} = *ω₂*·sin *AI* / sin *DI* = {crank} × sin({ai}°) / sin({di}°) = {value} {unit}."
     ),
     # --- Wellen und Motoren
     "balance axis": "{axis} ist die Achse der Welle, von ihrem Ende gesehen.",

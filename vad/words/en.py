@@ -380,7 +380,7 @@ PHRASES = {
     ),
     "bodies fold again": "Again this plane is turned about *OI* into the paper.",
     "bodies sines": (
-        "{symbol} = {value} {unit}: *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / sin({di}°)."
+        "{symbol} = *ω₂*·sin *AI* / sin *DI* = {crank} × sin({ai}°) / sin({di}°) = {value} {unit}."
     ),
     # --- shafts and engines
     "balance axis": "{axis} is the axis of the shaft, seen from its end.",

@@ -379,7 +379,7 @@ PHRASES = {
     ),
     "bodies fold again": "De nouveau, ce plan est rabattu autour de *OI*.",
     "bodies sines": (
-        "{symbol} = {value} {unit} : *ω₄*/*ω₂* = sin *AI* / sin *DI* = sin({ai}°) / sin({di}°)."
+        "{symbol} = *ω₂*·sin *AI* / sin *DI* = {crank} × sin({ai}°) / sin({di}°) = {value} {unit}."
     ),
     # --- arbres et moteurs
     "balance axis": "{axis} est l’axe de l’arbre, vu de son bout.",

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from typing import Any
@@ -143,12 +144,14 @@ ROOT = re.compile(rf"√\(({_F})² ([+−]) ({_F})²\) = ({_F}) ")
 ASIDE = re.compile(
     rf"= ({_F}) \S+ (?:here|hier|ici)\D+({_F}) .*?(?:together|zusammen|en tout)[^−\d]+({_F})[ /]"
 )
+SINE = rf"sin\(({_F})°\)"
+SINES = re.compile(rf"= ({_F}) × {SINE} / {SINE} = ({_F}) ")
 SUM = re.compile(rf"= ({_F}(?: [+−] {_F})+) = ({_F}) ")
 
 
 @in_every_language
-def test_roots_and_sums_come_out_as_on_a_pocket_calculator(code: str) -> None:
-    found = {"root": 0, "aside": 0, "sum": 0}
+def test_roots_sines_and_sums_come_out_as_on_a_pocket_calculator(code: str) -> None:
+    found = {"root": 0, "aside": 0, "sines": 0, "sum": 0}
     for mechanism in IN_SPACE.values():
         for sheet in sheets(mechanism, steps=2, language=code):
             for caption in (s.caption for panel in sheet.halves for s in panel.strokes):
@@ -162,6 +165,10 @@ def test_roots_and_sums_come_out_as_on_a_pocket_calculator(code: str) -> None:
                         abs(complex(Figure(here).value, Figure(off).value)), Figure(whole), caption
                     )
                     found["aside"] += 1
+                for factor, above, below, product in SINES.findall(caption):
+                    sines = [math.sin(math.radians(Figure(x).value)) for x in (above, below)]
+                    near(Figure(factor).value * sines[0] / sines[1], Figure(product), caption)
+                    found["sines"] += 1
                 for addends, total in SUM.findall(caption):
                     parts = addends.replace("− ", "−").replace("+ ", "").split()
                     near(sum(Figure(text).value for text in parts), Figure(total), caption)

@@ -4,6 +4,7 @@ The sphere has the radius 1; its outline is the great circle of the frame, on wh
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -45,7 +46,10 @@ class Script(BodyScript):
         from_a = self.bodies.screw.tau
         from_d = fold(from_a - self.sizes["ground"])
         sign = -1.0 if from_a <= 0.0 and from_d <= 0.0 else 1.0
-        sines = {"ai": self.angle(sign * from_a), "di": self.angle(sign * from_d)}
+        sines = {
+            "ai": self.angle(sign * from_a),
+            "di": replace(self.angle(sign * from_d), power=-1),
+        }
         return Names(ROWS, measured=dict.fromkeys((1, 2), ("12", "14", "23", "43")), sines=sines)
 
     def views(self) -> Drawing:

@@ -18,7 +18,7 @@ from typing import Any, ClassVar
 from vad.kinematics.numbers import bearing, not_below, plane, select
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import dot, real
-from vad.strokes.arithmetic import Figure, product
+from vad.strokes.arithmetic import Figure, product, product_of_sines
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order, Spot
 from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.sheet import Component, Curve, Ellipse, Fold, Stroke, StrokePart
@@ -56,7 +56,8 @@ class Names:
         the strokes of vectors are named by the bodies alone, ``24`` instead of ``24.relative``, and
         no caption says what is zero.
     sines
-        The arcs AI and DI, if a caption says that the ratio ω₄/ω₂ is that of their sines.
+        The arcs AI and DI, the second with the power -1, if a caption says that the ratio ω₄/ω₂ is
+        that of their sines.
     """
 
     rows: Mapping[str, str]
@@ -252,7 +253,10 @@ class BodyPolygon:
     def _measured(self, ends: str, value: float) -> dict[str, Callable[..., Sentence]]:
         result = self._says("bodies measured", ends, value)
         if ends == "14" and self.order is VELOCITY and self.names.sines:
-            result = partial(self._says("bodies sines", ends, value), **self.names.sines)
+            steps = product_of_sines("value", "crank", "ai", "di")
+            crank = Figure(self.crank, self.unit, given=True)
+            said = self._says("bodies sines", ends, value)
+            result = partial(said, steps, crank=crank, **self.names.sines)
         return {"line": self._line(ends), "result": result}
 
     def _turned(self, plane: str, value: float, pace: Any) -> Callable[..., Sentence]:
