@@ -318,9 +318,12 @@ def add_letters(
 ) -> None:
     """Add the label of a vertex, which grows by a letter with the stroke that brings it.
 
-    It shows in a ``span`` of beats; its marks hang ``through`` a lens where one shows it.
+    It shows in a ``span`` of beats; its marks hang ``through`` a lens where one shows it.  What
+    shows of it first stands in the place of the whole: at its left end, as the first letters do, or
+    so much farther in that it is no farther from the dot, or from the leader, than the whole is.
     """
     setting, rows = sketch.setting, vertex.rows
+    heights = [LEADING * size * ((len(rows) - 1) / 2 - number) for number in range(len(rows))]
     strokes = setting.panel.strokes
     sketch.tags.append(Tag(vertex.label, placed.box, span))
     if placed.leader:
@@ -331,16 +334,23 @@ def add_letters(
     for index, since, until in zip(numbers, beats, [*beats[1:], span[1]], strict=True):
         if since >= (until := min(until, span[1])):
             continue
+        some = [[letter for letter in row if vertex.letters[letter] <= index] for row in rows]
+        some = [letters for letters in some if letters]
+        lowest = heights[len(some) - 1]
+        down = min(max(placed.centre.imag + lowest - vertex.at.imag, 0.0), lowest - heights[-1])
         texts = []
-        for number, row in enumerate(rows):
-            known = [letter for letter in row if vertex.letters[letter] <= index]
-            above = 1j * LEADING * size * ((len(rows) - 1) / 2 - number)
-            if known:
-                hung, runs = (vertex.anchor, vertex.at), (_set(known), _set(row))
-                spot = placed.centre + above
-                text = text_beside(*hung, runs[0], spot, size, "letter", whole=runs[1])
-                texts.append(through(text))
+        for letters, row, height in zip(some, rows, heights, strict=False):
+            known, whole = _set(letters), _set(row)
+            off = _aside(vertex.at.real - placed.centre.real, known, whole, size)
+            hung, spot = (vertex.anchor, vertex.at), placed.centre + complex(off, height - down)
+            texts.append(through(text_beside(*hung, known, spot, size, "letter", whole=whole)))
         sketch.add(strokes[index], level, since, texts, until)
+
+
+def _aside(dot: float, known: Runs, whole: Runs, size: float) -> float:
+    """Return how far the ``known`` letters of a row move right, in its place, towards a ``dot``."""
+    wide, own = (ink_size(runs, size)[0] for runs in (whole, known))
+    return min(max(dot - own + wide / 2, 0.0), wide - own)
 
 
 def add_tag(
