@@ -288,10 +288,10 @@ def _to_refine(
     """
 
     def error(number: _Typed) -> Decimal:
-        exact = [each.true if each is number else each.factor for each in operands]
-        return abs(_EXACT.subtract(calculate(exact), result.true))
+        rounded = [each.factor if each is number else each.true for each in operands]
+        return abs(_EXACT.subtract(calculate(rounded), result.true))
 
     most = min(result.count + EXTRA_DIGITS, _ALL)
     rough = [each for each in operands if each.count < most and not each.exact]
-    worst = min(rough, key=error, default=result)
+    worst = max(rough, key=error, default=result)
     return worst if worst.count < _ALL else None

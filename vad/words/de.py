@@ -352,15 +352,19 @@ PHRASES = {
     ),
     "bodies pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
     "bodies pole acceleration": "Der Pol: das Gestell, 1′.",
+    "bodies pole acceleration steady": (
+        "Der Pol: das Gestell, 1′, und 2′, denn *α₂* = {value} ist gegeben."
+    ),
     "bodies given": "{symbol} = {value} {unit}, längs {axis}.",
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, von {tail} nach {head}.",
     "bodies turned frame": (
-        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, das sich mit *τ̇* dreht."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, das "
+        "sich mit *τ̇* = (*ω₃* ⟂ *OI* in der Koppel)/sin(Ebenenwinkel) dreht."
     ),
     "bodies turned coupler": (
-        "{symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: auch in dieser "
-        "Ebene dreht sich {symbol}."
+        "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; es "
+        "dreht sich hier mit *τ̇₃*: *ω₃* ⟂ *OI* im Gestell."
     ),
     "bodies line 24 velocity": (
         "∥ *OI* durch {point}, denn um *OI* dreht sich die Schwinge relativ zur Kurbel"
@@ -554,7 +558,8 @@ PHRASES = {
         "*OQ* unverzerrt."
     ),
     "hooke turned frame": (
-        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* dreht."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, das "
+        "sich mit *τ̇* = (*ω₃* ⟂ *OT* im Kreuz)/sin(Ebenenwinkel) dreht."
     ),
     # Kleins Konstruktion
     "klein rod": "Die Gerade der Stange {b}{c}, verlängert.",
@@ -762,12 +767,11 @@ PHRASES = {
     ),
     "spatial pole acceleration": "Wieder *A* als Punkt der Schwinge.",
     "spatial about I velocity": (
-        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich "
-        "relativ zur Kurbel um *I*."
+        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich um *I*."
     ),
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: auch "
-        "*I* selbst bewegt sich."
+        "*I* bewegt sich."
     ),
     "spatial about D": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* dreht sich "

@@ -352,15 +352,19 @@ PHRASES = {
     ),
     "bodies pole velocity": "The pole: the frame, 1, does not turn.",
     "bodies pole acceleration": "The pole: the frame, 1′.",
+    "bodies pole acceleration steady": (
+        "The pole: the frame, 1′, and 2′, as *α₂* = {value} is given."
+    ),
     "bodies given": "{symbol} = {value} {unit}, along {axis}.",
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, from {tail} to {head}.",
     "bodies turned frame": (
-        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, which turns at *τ̇*."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, which "
+        "turns at *τ̇* = (*ω₃* ⟂ *OI* in the coupler)/sin(angle of the planes)."
     ),
     "bodies turned coupler": (
-        "{symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI*: {symbol} turns in "
-        "this plane, too."
+        "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, which "
+        "turns here at *τ̇₃*, from *ω₃* ⟂ *OI* in the frame."
     ),
     "bodies line 24 velocity": (
         "∥ *OI* through {point}, as the rocker turns about *OI* relative to the crank"
@@ -537,7 +541,8 @@ PHRASES = {
         "are true there."
     ),
     "hooke turned frame": (
-        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, which turns at *τ̇*."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, which "
+        "turns at *τ̇* = (*ω₃* ⟂ *OT* in the cross)/sin(angle of the planes)."
     ),
     # Klein's construction
     "klein rod": "The line of the rod {b}{c}, produced.",
@@ -730,8 +735,7 @@ PHRASES = {
     ),
     "spatial pole acceleration": "Again, *A* as a point of the rocker.",
     "spatial about I velocity": (
-        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I* "
-        "relative to the crank."
+        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I*."
     ),
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *I* "

@@ -353,15 +353,19 @@ PHRASES = {
     ),
     "bodies pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
     "bodies pole acceleration": "Le pôle : le bâti, 1′.",
+    "bodies pole acceleration steady": (
+        "Le pôle : le bâti, 1′, et 2′, car *α₂* = {value} est donné."
+    ),
     "bodies given": "{symbol} = {value} {unit}, suivant {axis}.",
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, de {tail} à {head}.",
     "bodies turned frame": (
-        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OI*, qui tourne à *τ̇*."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui "
+        "tourne à *τ̇* = (*ω₃* ⟂ *OI* dans la bielle)/sin(angle des plans)."
     ),
     "bodies turned coupler": (
-        "{symbol}·*τ̇₃* = {omega} × {tau} = {value} {unit}, ⟂ *OI* : {symbol} tourne "
-        "aussi dans ce plan."
+        "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui "
+        "tourne ici à *τ̇₃*, avec *ω₃* ⟂ *OI* dans le bâti."
     ),
     "bodies line 24 velocity": "∥ *OI* par {point}, axe du balancier par rapport à la manivelle",
     "bodies line 14 velocity": "∥ *OD* par {point}, son axe par rapport au bâti",
@@ -543,7 +547,8 @@ PHRASES = {
         "sont vrais."
     ),
     "hooke turned frame": (
-        "{symbol}·*τ̇* = {omega} × {tau} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇*."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, qui "
+        "tourne à *τ̇* = (*ω₃* ⟂ *OT* dans le croisillon)/sin(angle des plans)."
     ),
     # la construction de Klein
     "klein rod": "La droite de la bielle {b}{c}, prolongée.",
@@ -749,7 +754,7 @@ PHRASES = {
     "spatial pole acceleration": "Encore *A* comme point du balancier.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI* : *A* tourne autour de "
-        "*I* par rapport à la manivelle."
+        "*I*."
     ),
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* : *I* "

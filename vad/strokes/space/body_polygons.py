@@ -18,7 +18,7 @@ from typing import Any, ClassVar
 from vad.kinematics.numbers import bearing, not_below, plane, select
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import dot, real
-from vad.strokes.arithmetic import Figure, product, product_of_sines
+from vad.strokes.arithmetic import Figure, product_of_sines
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order, Spot
 from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.sheet import Component, Curve, Ellipse, Fold, Stroke, StrokePart
@@ -108,12 +108,19 @@ class BodyPolygon:
             sums,
             self.bodies.vertices(self.order),
             [self.one],
-            self.scene.say(f"bodies pole {self.panel}"),
+            self.pole(),
             self.unit,
             fold=self._fold(centre) if both else None,
             remark=remark if self.order is VELOCITY else "",
         )
         return drawing if drawing.equations else replace(drawing, remark="")
+
+    def pole(self) -> Sentence:
+        """Say which vertices lie at the pole: 2′ does if the driver has no angular acceleration."""
+        if self.order is ACCELERATION and not self.crank:
+            given = Figure(self.crank, self.unit, given=True)
+            return self.scene.say("bodies pole acceleration steady", value=given)
+        return self.scene.say(f"bodies pole {self.panel}")
 
     def frame(self, whole: bool = False) -> Stated:
         """Return ω₂ + ω₄₂ = ω₄, or α₂ + ω₄₂τ̇ + α₄₂ₜ = α₄, in the plane of the frame.
@@ -260,15 +267,20 @@ class BodyPolygon:
         return {"line": self._line(ends), "result": result}
 
     def _turned(self, plane: str, value: float, pace: Any) -> Callable[..., Sentence]:
-        """Say how ω₄₂ turns with OI in the plane of the frame or in that of the coupler."""
+        """Say how ω₄₂ turns with OI in the plane of the frame or in that of the coupler.
+
+        Its rate is the part of ω₃ that is perpendicular to OI in the other plane, over sin δ.
+        """
+        screw = self.bodies.screw
         return partial(
             self.scene.say,
             f"{self.names.topic} turned {plane}",
-            product("value", "omega", "tau"),
+            product_of_sines("value", "omega", "part", "delta"),
             symbol=RELATIVE[1],
             value=Figure(abs(value), self.unit),
             omega=Figure(abs(real(self.bodies.pace.omega)), VELOCITY.unit),
-            tau=Figure(abs(real(pace)), VELOCITY.unit),
+            part=Figure(abs(real(pace) * real(screw.sine)), VELOCITY.unit),
+            delta=Figure(screw.delta, "°", power=-1),
             unit=Unit(self.unit),
         )
 

@@ -36,11 +36,10 @@ class SlidingScript(BodyScript):
         bodies, prime = self.bodies, PRIME * (order.number - 1)
         upper = BodyPolygon(self, bodies, order, self.names())
         vertices = [f"1{prime}", f"2{prime}", *(["4ₙ"] if prime else []), f"4{prime}"]
-        pole = self.scene.say(f"bodies pole {order.panel}")
         places, fixed = bodies.vertices(order, coupler=False), vertices[:1]
         sums = [upper.frame()]
         drawing = polygon(
-            self.scene, order, sums, places, fixed, pole, order.unit, at_rest=vertices
+            self.scene, order, sums, places, fixed, upper.pole(), order.unit, at_rest=vertices
         )
         return replace(drawing, below=_motion_of_a(self, bodies, order))
 

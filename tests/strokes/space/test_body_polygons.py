@@ -1,0 +1,63 @@
+"""What captions of a polygon of bodies say: where numbers come from that no other stroke has."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import vad
+from vad.strokes.sentences import Sentence
+from vad.strokes.space.body_polygons import BodyScript
+from vad.strokes.space.scene import SceneInSpace
+from vad.words import Language
+
+KINDS = ("spherical-four-bar", "hooke-joint", "spatial-four-bar")
+ANGLES = (25.0, 140.0, 250.0)
+
+
+def scene(name: str, **inputs: float) -> SceneInSpace:
+    return SceneInSpace(vad.solve(vad.MECHANISMS[name](), **inputs), Language("en"))
+
+
+def said(drawn: SceneInSpace, word: str) -> list[Sentence]:
+    """Return the sentences of the polygon of accelerations whose phrase has a word."""
+    strokes = vad.draw(drawn.motion).panel("acceleration").strokes
+    sentences = [stroke.said for stroke in strokes if isinstance(stroke.said, Sentence)]
+    return [each for each in sentences if word in each.phrase]
+
+
+@pytest.mark.parametrize("angle", ANGLES)
+@pytest.mark.parametrize("name", KINDS)
+def test_the_rate_at_which_oi_turns_is_a_part_of_the_coupler_s_over_a_sine(
+    name: str, angle: float
+) -> None:
+    drawn = scene(name, angle=angle)
+    script = drawn.script
+    assert isinstance(script, BodyScript)
+    axis = script.bodies.axis
+    coupler = drawn.motion.link("cross" if name == "hooke-joint" else "coupler").omega
+    normals = np.cross(axis.b, axis.c), np.array([1.0, 0.0, 0.0])  # of the coupler, of the frame
+    first, second = (each / np.linalg.norm(each) for each in normals)
+    sine = np.linalg.norm(np.cross(first, second))
+    found = said(drawn, " turned ")
+    assert len(found) == (2 if name == "spherical-four-bar" else 1)
+    for sentence, normal in zip(found, (first, second), strict=False):
+        part, delta, value, omega = (
+            next(sentence.figures((each,))).value for each in ("part", "delta", "value", "omega")
+        )
+        across = np.cross(normal, axis.i)  # in the other plane, perpendicular to OI
+        assert part == pytest.approx(abs(np.dot(coupler, across)))
+        assert math.sin(math.radians(delta)) == pytest.approx(sine)
+        assert value == pytest.approx(omega * part / sine)
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_a_caption_names_2_at_the_pole_only_where_it_lies_there(name: str) -> None:
+    for alpha, text in ((0.0, "1′, and 2′, as α₂ = 0 is given."), (20.0, "1′.")):
+        (pole,) = said(scene(name, angle=60.0, alpha=alpha), "pole acceleration")[:1]
+        assert str(pole) == f"The pole: the frame, {text}"
+        drawn = vad.draw(vad.solve(vad.MECHANISMS[name](), angle=60.0, alpha=alpha))
+        dot = drawn.panel("acceleration").strokes[0]
+        assert ("2′" in dot.label.split(",")) == (not alpha)
