@@ -161,12 +161,15 @@ def test_printed_factors_give_the_printed_product():
     for angle in ANGLES:
         panel = sheet(angle).panel("acceleration")
         for each in panel.strokes:
-            found = re.search(r"τ̇ = ([\d.]+) × ([\d.]+) = ([\d.]+)", each.caption)
+            pattern = r"τ̇ = ([\d.]+) × ([\d.]+)/sin\(([\d.]+)°\) = ([\d.]+)"
+            found = re.search(pattern, each.caption)
             assert bool(found) == (each.name == "24.normal")
             if found:
-                omega, tau, value = found.groups()
+                *factors, value = found.groups()
+                omega, part, delta = map(float, factors)
                 digits = len(value.partition(".")[2])
-                assert f"{float(omega) * float(tau):.{digits}f}" == value
+                made = omega * part / math.sin(math.radians(delta))
+                assert f"{made:.{digits}f}" == value
 
 
 def test_what_does_not_turn_is_its_pole():
