@@ -6,6 +6,7 @@ Out go its chains, one for ``bc`` and one for ``ω₃``.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ from functools import cached_property
 
 THIN = "\N{NARROW NO-BREAK SPACE}"
 FIGURE = re.compile(rf"−?\d+(?:{THIN}\d{{3}})*(?:[.,]\d+)?(?:×10[⁻⁰¹²³⁴-⁹]+)?")
+SINE = re.compile(rf"sin\(({FIGURE.pattern})°\)")
 CARRIED = re.compile(rf"({FIGURE.pattern}) (?:[a-z]+/s²?|m)(?!\w)")
 RAISED = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 PLAIN = str.maketrans({"−": "-", ",": ".", THIN: ""})
@@ -73,9 +75,10 @@ class Side:
     def read(cls, text: str) -> Side:
         """Read ``2 × 4.853 × 1202``, ``(1.2×10⁶)² × 3``, ``ω₃²·BC`` or ``dc/BC``.
 
-        Factors may have units: ``(10 rad/s)² × 0.06 m``, ``(3 m/s)/(0.1 m)``.
+        Factors may have units: ``(10 rad/s)² × 0.06 m``, ``(3 m/s)/(0.1 m)``.  The sine of an angle
+        in figures is a figure.
         """
-        text = CARRIED.sub(r"\1", text)
+        text = SINE.sub(_sine, CARRIED.sub(r"\1", text))
         above, _, below = text.partition("/")
         found = [(part, 1) for part in re.split(r" × |·", above)]
         found += [(part, -1) for part in ([below] if below else [])]
@@ -87,12 +90,17 @@ class Side:
         return all(FIGURE.fullmatch(factor) for factor, _ in self.factors)
 
 
+def _sine(found: re.Match[str]) -> str:
+    """Write the sine of an angle as a calculator shows it."""
+    return f"{math.sin(math.radians(Figure(found[1]).value)):.15f}".replace("-", "−")
+
+
 def _power(factor: str) -> int:
     return 2 if factor.endswith("²") and "×10²" not in factor else 1
 
 
 def _bare(factor: str) -> str:
-    return (factor.removesuffix("²") if _power(factor) == 2 else factor).strip("()")
+    return (factor.removesuffix("²") if _power(factor) == 2 else factor).strip("() ")
 
 
 @dataclass(frozen=True)
