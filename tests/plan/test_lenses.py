@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 import vad
-from tests.plan.knots import is_led
-from tests.plan.overlaps import overlaps, planned
+from tests.plan.knots import is_led, points_of
+from tests.plan.overlaps import KEY, overlaps, planned
 from tests.plan.test_overlaps import still
 from vad.files.examples import example_names, example_path
 from vad.plan.board import Plan
+from vad.plan.format import screen
 from vad.plan.items import FOREVER, Level
 from vad.plan.labels.placing import distance
 from vad.plan.lens import BAND, Lens
@@ -25,6 +26,7 @@ from vad.plan.pictures import lensed
 from vad.plan.problem_sheet import blank_panels, problem
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Sketch
+from vad.plan.stage import Stage
 
 PIXEL = 1 / 720
 #: Roles that a lens may lie on, and those of its own frame.
@@ -361,3 +363,34 @@ def test_a_leader_across_a_circle_is_seen():
     behind = (-1.0 + 0j, 1.0 + 0j)
     assert not Lens(0j, 0.02, 4.0, 0.2 + 0.1j, 0.08, turned=behind).leaves(0.6)
     assert not Lens(0j, 0.02, 4.0, 0.2 + 0.1j, 0.08, turned=behind[::-1]).leaves(0.6)
+
+
+def test_a_lens_shows_construction_lines_until_they_are_inked_over():
+    sheet = vad.draw(vad.solve(vad.load(example_path("trunnion"))()))
+    stage = Stage(sheet, screen((1280, 720)), KEY)
+    scene = stage.scene(2)
+    found: dict[str, list[tuple[int, int]]] = {"construction": [], "construction done": []}
+    for item in scene.items:
+        for mark in item.marks if item.level is Level.LENS else ():
+            if mark.role in found:
+                found[mark.role].append((item.since, item.until))
+                (piece,) = mark.shape.pieces
+                lenses = scene.sketches["acceleration"].lenses
+                assert any(
+                    all(abs(z - lens.at) < lens.radius + BAND for z in piece) for lens in lenses
+                )
+    heavy, faint = found.values()
+    assert len(heavy) == 3
+    assert sorted(until for _, until in heavy) == sorted(since for since, _ in faint)
+    assert all(since < until < stage.finished for since, until in heavy)
+    assert {until for _, until in faint} == {FOREVER}
+
+
+def test_a_lens_shows_a_short_vector_between_its_dots():
+    sheet = vad.draw(vad.solve(vad.load(example_path("trunnion"))()))
+    sketch = Stage(sheet, screen((1280, 720)), KEY).scene(2).sketches["acceleration"]
+    ends = {letter: at for letter, at in points_of(sketch) if letter in ("b′", "qₙ")}
+    length = abs(ends["b′"] - ends["qₙ"])
+    assert length < PIXEL
+    factors = [lens.factor for lens in sketch.lenses if {"b′", "qₙ"} <= letters_in(sketch, lens)]
+    assert [factor * length > 17 * PIXEL for factor in factors] == [True]

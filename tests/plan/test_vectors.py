@@ -12,7 +12,7 @@ from tests.plan.overlaps import planned
 from tests.statics.machines import MACHINES
 from tests.statics.test_equilibrium import pose
 from vad.plan.board import Plan
-from vad.plan.items import Item
+from vad.plan.items import Item, Level
 from vad.plan.marks import Disc, Mark, Polygon, Polyline
 from vad.strokes.sheet import Arrow, Sheet
 from vad.style import load_style, style_names
@@ -34,11 +34,12 @@ def drawn(name: str, inputs: dict[str, Any]) -> tuple[Sheet, Plan]:
 
 
 def pictured(board: Plan) -> list[Item]:
-    """The finished vectors of the polygons."""
+    """The finished vectors of the polygons, but for what lenses show of them."""
     return [
         item
         for item in board.shown(board.finished)
         if item.region in ("velocity", "acceleration")
+        and item.level != Level.LENS
         and any(mark.role in ("vector", "whole") for mark in item.marks)
     ]
 

@@ -55,19 +55,22 @@ LETTER_FACTOR = 4.0
 class Need:
     """Two vertices that look like one, or one whose letter has no place, by their numbers.
 
-    ``since`` is the number of the stroke with which the need arises.
+    ``since`` is the number of the stroke with which the need arises, ``joined`` tells whether a
+    vector joins the two.
     """
 
     members: tuple[int, ...]
     distance: float
     since: int
+    joined: bool = False
 
     def met(self, factor: float) -> float:
         """Return how well a lens of a factor meets it if it shows its members."""
         if len(self.members) == 1:
             return LETTER if factor <= LETTER_FACTOR else 0.0
         apart = factor * self.distance
-        well = 1.0 if apart >= APART else NEARLY if apart >= TOUCHING else 0.0
+        least = SHORTEST if self.joined else TOUCHING
+        well = 1.0 if apart >= APART else NEARLY if apart >= least else 0.0
         if not self.is_pressing:
             well *= HIDDEN
         return well if factor <= USUAL else FINE * well
@@ -169,8 +172,9 @@ def _needs(setting: Setting, vertices: Sequence[Vertex], far: Collection[str]) -
     joined = _joined(setting, vertices)
     for (one, first), (other, second) in combinations(enumerate(vertices), 2):
         distance = abs(first.at - second.at)
-        if SAME < distance < (SHORTEST if (one, other) in joined else LEAST):
-            yield Need((one, other), distance, max(first.since, second.since))
+        is_joined = (one, other) in joined
+        if SAME < distance < (SHORTEST if is_joined else LEAST):
+            yield Need((one, other), distance, max(first.since, second.since), is_joined)
     for number, vertex in enumerate(vertices):
         if vertex.label in far:
             yield Need((number,), LEAST, vertex.since)

@@ -48,6 +48,8 @@ _SHOWN = (Level.GROUND, Level.CONSTRUCTION, Level.CARRIER, Level.BLOCK, Level.ST
 _NOT_SHOWN = {"angle", "axis", "sense", "speed", "notes", "scale bar", "right angle", "stub"}
 #: A faint line, which a lens may cover; letters may stand on it, and on a tint.
 FAINT, TINT = "construction done", "plate"
+#: The same line before it is inked over: all else that is shown for a time is no part of the place.
+LINE = "construction"
 
 
 class View(NamedTuple):
@@ -95,19 +97,21 @@ class Scene:
         solved = wide.solved(sketch.solved)
         self._whole: Whole = []
         for item in sorted(sketch.items, key=lambda item: item.level):
-            if item.until != FOREVER or item.level not in _SHOWN:
+            if item.level not in _SHOWN:
                 continue
             marks = [
                 (mark, shape)
                 for mark in item.marks
                 if not (mark.hangs is None or isinstance(mark.hangs, OnPage))
+                if item.until == FOREVER or mark.role == LINE
                 if mark.role not in _NOT_SHOWN and (shape := mark.hangs.posed(solved))
                 if wide.cut(shape)
             ]
             if marks:
                 self._whole.append((item, marks))
         self._strokes = Obstacles(sketch.setting.room)
-        _block(self._strokes, (each for _, marks in self._whole for each in marks))
+        lasting = (marks for item, marks in self._whole if item.until == FOREVER)
+        _block(self._strokes, (each for marks in lasting for each in marks))
 
     def place(self, field: Field, first: int = 0, little: bool = False) -> tuple[Spot, View] | None:
         """Return the best place of a lens, and what is seen there, without the ``first`` radii.
@@ -159,8 +163,8 @@ class Scene:
             there = _moved(placed, lens.at)
             add_letters(sketch, vertex, there, view.size, span, Level.LENS, through)
         spot.block(sketch.obstacles, since)
-        ink = _rimmed(lens, [])
-        _block(ink, ((mark, mark.shape) for item in shown for mark in item.marks))
+        ink, lasting = _rimmed(lens, []), (item for item in shown if item.until == FOREVER)
+        _block(ink, ((mark, mark.shape) for item in lasting for mark in item.marks))
         sketch.obstacles.lines += [(*each[:3], span) for each in ink.lines]
         sketch.lenses.append(lens)
 
@@ -176,7 +180,8 @@ class Scene:
             ]
             if seen:
                 first = max(item.since + item.grows, since)
-                found.append(replace(item, level=Level.LENS, marks=tuple(seen), since=first))
+                if first < item.until:
+                    found.append(replace(item, level=Level.LENS, marks=tuple(seen), since=first))
         return found
 
     def _crowd(self, lens: Lens) -> Obstacles:
