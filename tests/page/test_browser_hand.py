@@ -667,7 +667,7 @@ def test_a_row_hides_its_vectors_and_a_key_enlarges_a_panel(page: Page) -> None:
     size = "() => document.querySelectorAll('.drawing svg')[2].getScreenCTM().a"
     whole = page.evaluate(size)
     press(page, "z")
-    assert page.evaluate(size) > 1.4 * whole
+    assert page.evaluate(size) > 1.3 * whole
     assert page.evaluate("() => document.documentElement.scrollHeight <= innerHeight")
     expect(page.locator(".panel:visible")).to_have_count(1)
     press(page, "z")

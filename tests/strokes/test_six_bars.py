@@ -111,7 +111,7 @@ def test_velocity_lines_are_square_to_the_link_and_acceleration_lines_at_its_ang
     ("code", "said"),
     [
         ("en", "b′c′e′ is directly similar to BCE: b′e′ = b′c′·BE/BC = "),
-        ("de", "b′c′e′ ist gleichsinnig ähnlich zu BCE: b′e′ = b′c′·BE/BC = "),
+        ("de", "b′c′e′ gleichsinnig ähnlich zu BCE: b′e′ = b′c′·BE/BC = "),
         ("fr", "b′c′e′ est directement semblable à BCE : b′e′ = b′c′·BE/BC = "),
     ],
 )
