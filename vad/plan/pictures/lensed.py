@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import combinations, islice
 from operator import itemgetter
 from typing import NamedTuple
@@ -142,9 +143,10 @@ class LensedLabels(PlacedLabels):
                 scenes[close] = Scene(sketch, close)
             return scenes[close].shown
 
-        self.close = close_places(setting, vertices, self._far, shown) if self._rank < NONE else []
+        places = partial(close_places, setting, vertices, self._far, shown)
+        self.close = places() if self._rank < NONE else []
         if self.close or self._more:
-            pressing = close_places(setting, vertices, self._far, shown, pressing=True)
+            pressing = places(pressing=True) if self.close else []
             self.pressing = bool(pressing)
             wanted = list(subsets(pressing or self.close))[self._rank :] or [()]
             alike = self.close == pressing or not pressing
