@@ -272,17 +272,16 @@ def _moves(table: Complexes) -> tuple[Ints, Reals]:
 
 def _cheapest(costs: Reals, sources: Ints, prices: Reals) -> Ints:
     """Return the place at each pose on the cheapest closed way."""
-    count, states = costs.shape
-    columns = np.arange(states)
-    best, came = costs[0].copy(), []
+    count = len(costs)
+    bests = [costs[0]]
     for number in range(1, _LAPS * count):
-        table = best[sources] + prices
-        choice = table.argmin(axis=0)
-        came.append(sources[choice, columns])
-        best = table[choice, columns] + costs[number % count]
-    path = [int(best.argmin())]
-    for source in reversed(came):
-        path.append(int(source[path[-1]]))
+        reached = (np.take(bests[-1], sources) + prices).min(axis=0)
+        bests.append(reached + costs[number % count])
+    path = [int(bests.pop().argmin())]
+    for best in reversed(bests):  # from where each was reached, matters on this one way alone
+        place = path[-1]
+        before = sources[:, place]
+        path.append(int(before[(best[before] + prices[:, place]).argmin()]))
     path.reverse()
     return np.array(path[count : 2 * count])
 
@@ -321,16 +320,16 @@ class Crowd:
     def __init__(self, edge: Rect, poses: Sequence[Obstacles]) -> None:
         self._edge = edge
         self._size = int(edge.height / CELL) + 2, int(edge.width / CELL) + 2
-        taken = np.zeros((len(poses), *self._size), dtype=np.int32)
+        height, width = self._size
+        # Numbers that are small: differences of them come out where sums pass the largest one.
+        self._sums = np.zeros((len(poses), height + 1, width + 1), dtype=np.uint16)
         near = edge.inside(-_LONGEST / 4)
-        for cells, pose in zip(taken, poses, strict=True):  # the points of all would fill memory
+        for sums, pose in zip(self._sums, poses, strict=True):  # those of all would fill memory
             rows, columns = self._cells(_points(pose, near))
-            inside = (
-                (rows >= 0) & (rows < self._size[0]) & (columns >= 0) & (columns < self._size[1])
-            )
-            cells[rows[inside], columns[inside]] = 1
-        self._sums = np.zeros((len(poses), self._size[0] + 1, self._size[1] + 1), dtype=np.int32)
-        self._sums[:, 1:, 1:] = taken.cumsum(axis=1, dtype=np.int32).cumsum(axis=2, dtype=np.int32)
+            inside = (rows >= 0) & (rows < height) & (columns >= 0) & (columns < width)
+            sums[rows[inside] + 1, columns[inside] + 1] = 1
+            sums.cumsum(axis=0, dtype=np.uint16, out=sums)
+            sums.cumsum(axis=1, dtype=np.uint16, out=sums)
 
     def count(self, centres: Complexes, size: tuple[float, float], grow: float) -> Ints:
         """Return how many taken cells a box, grown, covers at each centre.
@@ -338,20 +337,16 @@ class Crowd:
         ``centres`` has the shape (poses, n), as what is returned.
         """
         half = complex(size[0] / 2 + grow, size[1] / 2 + grow)
-        low, high = self._cells(centres - half), self._cells(centres + half)
-        top, right = (
-            np.clip(each + 1, 0, most) for each, most in zip(high, self._size, strict=True)
-        )
-        bottom, left = (np.clip(each, 0, most) for each, most in zip(low, self._size, strict=True))
-        pose = np.arange(len(self._sums))[:, None] if len(self._sums) > 1 else 0
-        sums = self._sums
-        found: Ints = (
-            sums[pose, top, right]
-            - sums[pose, bottom, right]
-            - sums[pose, top, left]
-            + sums[pose, bottom, left]
-        )
-        return found
+        bottom, left = self._cells(centres - half)
+        top, right = (each + 1 for each in self._cells(centres + half))
+        poses, rows, columns = self._sums.shape
+        first = rows * columns * np.arange(poses)[:, None] if poses > 1 else 0
+        low, high = (first + columns * np.clip(each, 0, rows - 1) for each in (bottom, top))
+        left, right = (np.clip(each, 0, columns - 1) for each in (left, right))
+        sums = self._sums.ravel()
+        found = sums[high + right] - sums[low + right] - sums[high + left] + sums[low + left]
+        taken: Ints = found.astype(np.int64)
+        return taken
 
     def _cells(self, at: Complexes) -> tuple[Ints, Ints]:
         rows = np.floor((at.imag - self._edge.bottom) / CELL).astype(np.int64)
