@@ -18,7 +18,7 @@ from vad.plan.page.changing import SAID
     ("name", "most"),
     [
         # A crank whose copy turns about its pin, at the top of the page.
-        ("elliptical-trammel", {"heading": 3, "equation": 1}),
+        ("elliptical-trammel", {"heading": 3}),
         ("whitworth", {"heading": 1}),
         ("gate-actuator", {}),
     ],

@@ -40,6 +40,7 @@ PHASES: dict[TravelKind, tuple[float, ...]] = {
     "axial": (0.8, 0.6, 1.4),
     "coriolis": (0.6, 1.2, 0.8, 1.2),
     "turned": (0.6, 1.2, 0.8, 1.2),
+    "point": (0.5, 0.6, 0.5, 1.0),
     "image": (1.0, 0.6, 1.0),
 }
 #: Seconds in which the traces of a flight fade when it has landed, and a rest.

@@ -1,18 +1,19 @@
 // Vectors that travel, as in films (vad/plan/pictures/flights.py): a copy of a link, or of a velocity,
 // turns, is stretched, and flies to its place in a polygon, in another panel of the page.  The image of a link
-// that lands larger flies first, and grows there.
+// that lands larger flies first, and grows there; a vector that is too short to be seen flies first, and shrinks.
 // Its way is dotted, and where its head docks there is a ring.
 //
 // flights(root) -> {flight, draw}. flight(data, marks, svgs, beat) is one, by what vad/page/travels.py says
 // of it, by the marks that grow in its beat and by the pictures of all panels; null where its source is not
 // seen. draw(flight, share) shows it at a share of its time, draw(null) none.
 
-// In units of a page 720 high: how far a copy lifts off, and how long one is at least that turns.
-const LIFT = 28.8, SEEN = 64.8;
+// In units of a page 720 high: how far a copy of a vector lifts off, how long one is at least that turns, and
+// how short a vector is that is not seen as it flies.
+const LIFT = 28.8, SEEN = 64.8, SHORTEST = 7.2;
 // How high it flies, of its way; how much ink its traces have, and how long before the end they are gone.
 const ARCH = .08, GHOSTS = [.2, .28, .36], VANISHING = .92;
-// Of a head: the length by that of its side, how much of a short vector, where the shaft ends in it.
-const SIDE = 1.077, HEAD_SHARE = .6, NECK = .66;
+// Of a head: its length, that of its side by it, how much of a short vector, where the shaft ends in it.
+const HEAD = 18.7, SIDE = 1.077, HEAD_SHARE = .6, NECK = .66;
 
 // In how many parts the way is drawn.
 const PARTS_OF_WAY = 10;
@@ -24,7 +25,7 @@ function flights(root) {
   const filled = (mark) => getComputedStyle(mark).fill !== "none";
   let hidden = [], pale = [], shown = null;
 
-  function flight([, kind, phases, from, turn, tilt, oblique, ...places], marks, svgs, beat) {
+  function flight([, kind, phases, from, turn, tilt, oblique, lift, ...places], marks, svgs, beat) {
     const to = marks[0]?.ownerSVGElement, source = svgs[from];
     if (!to || !source.getBoundingClientRect().width || !to.getBoundingClientRect().width) return null;
     const at = (svg, n) => {
@@ -38,21 +39,23 @@ function flights(root) {
     const tip = all.find((each) => each.localName === "path" && filled(each)), shaft = !area && tip?.previousElementSibling;
     if (!tip) return null;
     const [x, y] = [head.x - tail.x, head.y - tail.y], length = Math.hypot(x, y);
-    const size = length / whole, seen = area ? size : Math.max(size, SEEN * unit / whole), up = LIFT * unit / length * (x < 0 ? -1 : 1);
+    const size = length / whole, seen = area ? size : Math.max(size, SEEN * unit / whole), up = lift * unit / length;
     const lifts = {
       tangential: () => [x, y],
       coriolis: () => way.map((each) => LIFT * unit * each / whole),
       normal: () => [up * y, -up * x],
     };
-    Object.assign(lifts, { turned: lifts.coriolis, axial: lifts.normal });
+    Object.assign(lifts, { turned: lifts.coriolis, axial: lifts.normal, point: lifts.tangential });
     const [p, q] = lifts[kind]?.() ?? [0, 0], place = [tail.x + p, tail.y + q];
     const legs = [[tail.x, tail.y, size, turn]];
     if (lifts[kind]) legs.push([...place, seen, turn]);
     if (lifts[kind] !== lifts.normal) legs.push([...place, seen, tilt]);
-    const last = area && seen < 1, [stretch, fly] = phases.slice(-2);
-    legs.push(last ? [start.x, start.y, seen, tilt] : [...place, oblique, tilt], [start.x, start.y, 1, 0]);
+    const short = whole < SHORTEST * unit, last = area ? seen < 1 : short, [stretch, fly] = phases.slice(-2);
+    // A head that docks stays there.
+    const [u, v] = way.map((each) => kind === "coriolis" ? (1 - seen) * each : 0);
+    legs.push(last ? [start.x + u, start.y + v, seen, 0] : [...place, oblique, tilt], [start.x, start.y, 1, 0]);
     const times = last ? [...phases.slice(0, -2), fly, stretch] : phases, flies = times.length - (last ? 2 : 1);
-    return { kind, source, to, start, way, unit, legs, phases: times, flies, marks, tip, shaft };
+    return { kind, source, to, start, way, unit, short, legs, phases: times, flies, marks, tip, shaft };
   }
 
   // Where its start is after some time, its factor, and by how much it is turned clockwise.
@@ -74,13 +77,13 @@ function flights(root) {
   }
 
   function drawn(flight, time, ink) {
-    const { to, start, unit, tip, shaft } = flight, [x, y, factor, turn, dx, dy] = placed(flight, time);
+    const { to, start, unit, tip, shaft, short } = flight, [x, y, factor, turn, dx, dy] = placed(flight, time);
     if (!shaft) {
       const { a, b, c, d, e, f } = to.getScreenCTM();
       return `<g opacity="${ink}" style="stroke:var(--grey)" transform="translate(${x} ${y}) rotate(${turn}) scale(${factor}) translate(${-start.x} ${-start.y}) matrix(${a} ${b} ${c} ${d} ${e} ${f})">${tip.outerHTML}</g>`;
     }
     const long = Math.hypot(dx, dy), [, , u, v] = tip.getAttribute("d").match(/-?(\d+\.?\d*|\.\d+)/g);
-    const head = Math.min(Math.hypot(u, v) / SIDE * unit, HEAD_SHARE * long), neck = 1 - NECK * head / long;
+    const head = Math.min((short ? HEAD : Math.hypot(u, v) / SIDE) * unit, HEAD_SHARE * long), neck = 1 - NECK * head / long;
     const wide = parseFloat(getComputedStyle(shaft).strokeWidth) * unit, angle = Math.atan2(dy, dx) * 180 / Math.PI;
     return `<g opacity="${ink}"><path class="${shaft.getAttribute("class")}" style="stroke-width:${wide}px" d="M${x} ${y}l${neck * dx} ${neck * dy}"/>` +
       `<path class="${tip.getAttribute("class")}" transform="translate(${x + dx} ${y + dy}) rotate(${angle}) scale(${head})" d="M0 0-1-.4-.76 0-1 .4z"/></g>`;

@@ -17,7 +17,7 @@ from vad.lecture.pace import LANDED, PHASES
 from vad.page.ink import Inker
 from vad.page.large import Large
 from vad.plan.board import Plan
-from vad.plan.geometry import Rect
+from vad.plan.geometry import Rect, direction_of
 from vad.plan.pictures.flights import Flight
 from vad.plan.pictures.traces import RING, path, ring
 from vad.plan.sketch import Sketch
@@ -31,7 +31,8 @@ def page_flights(
     Each is a list: for how many seconds it flies, what it is to its source, the seconds of its
     phases, the number of the panel that it leaves; by how many degrees it is turned clockwise
     there, and by how many when it has turned and is stretched, and how long it then is, as a
-    multiple of how it lands: it may leave a view from another side.  Then where its tail and its
+    multiple of how it lands: it may leave a view from another side; how far it lifts off a link
+    beside which it stays, to the left, in pixels.  Then where its tail and its
     head are there, and in its own panel: to the right and down, in pixels of a page 1280 wide.  If
     the page draws panels ``large``, too, the same follows for the panels as they are then.
     """
@@ -53,11 +54,12 @@ def page_flights(
             for scale, pair in zip(scales, ends, strict=True):
                 places += [round(each, 2) for z in pair for each in inker.pixels(scale(z))]
         tilt = math.degrees(cmath.phase(travel.oblique))
-        turns = (travel.turn - tilt, -tilt, abs(travel.oblique))
-        phases = PHASES[travel.kind]
+        phases, kind = PHASES[travel.kind], travel.kind if flight.is_vector else "area"
+        stays = kind in ("normal", "axial")
+        up = (flight.lift / direction_of(*flight.source)).imag if stays else 0.0
+        turns = (travel.turn - tilt, -tilt, abs(travel.oblique), up * inker.frame[0])
         share = sum(phases) / (sum(phases) + LANDED)
         seconds = round(share * lesson.steps[number].grow / lesson.fps, 3)
-        kind = travel.kind if flight.is_vector else "area"
         if kind == "coriolis" and not flight.docks:
             kind = "turned"  # which flies in the same way, to where its tail will be
         looks = [round(each, 2) + 0.0 for each in turns]

@@ -385,13 +385,15 @@ class Flying:
     Offset, size, angle and ink are linear between the ``legs``: a single complex factor would pass
     through zero in a turn by 180°.  Of a vector, ``tip`` is the point of its head, which does not
     swell: every vertex but the one in the centre keeps its distance from the tip.  While the vector
-    is shorter than ``full``, its head is smaller, too.
+    is shorter than ``full``, its head is smaller, too; the head of a short vector is larger while
+    that is longer, by ``most`` at most.
     """
 
     centre: complex
     legs: tuple[Leg, ...]
     tip: complex | None = None
     full: float = 0.0
+    most: float = 1.0
 
     def of(self, shape: Any, share: float) -> Grown:
         """Return the shape on its way."""
@@ -401,7 +403,7 @@ class Flying:
         if self.tip is None:
             return shape.mapped(turn, shift) if ink else None, ink
         own, length = self.tip, factor * abs(self.tip - self.centre)
-        size = min(1.0, length / self.full) if self.full else 1.0
+        size = min(self.most, length / self.full) if self.full else 1.0
         way = cmath.rect(size, math.radians(degrees))
         tip = turn * own + shift
 
@@ -412,9 +414,10 @@ class Flying:
 
     def mapped(self, turn: complex, shift: complex) -> Flying:
         """Return how the shape's image flies; see `Shape.mapped`."""
-        legs = (leg._replace(offset=turn * leg.offset) for leg in self.legs)
+        legs = tuple(leg._replace(offset=turn * leg.offset) for leg in self.legs)
         tip = None if self.tip is None else turn * self.tip + shift
-        return Flying(turn * self.centre + shift, tuple(legs), tip, abs(turn) * self.full)
+        centre, full = turn * self.centre + shift, abs(turn) * self.full
+        return Flying(centre, legs, tip, full, self.most)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,10 @@ import cmath
 import math
 from typing import Literal, NamedTuple
 
-#: What a vector is to what it comes from: a link that is turned, or that points back; v or another
-#: vector that is turned; an axis along which it lies; or it is the image of a link.
-TravelKind = Literal["tangential", "normal", "coriolis", "turned", "axial", "image"]
+#: What a vector is to what it comes from: a link that is turned, or that points back; the link of a
+#: point that the image finds, which is turned; v or another vector that is turned; an axis along
+#: which it lies.  An area is the image of a link.
+TravelKind = Literal["tangential", "normal", "point", "coriolis", "turned", "axial", "image"]
 
 
 class Travel(NamedTuple):

@@ -1,9 +1,9 @@
 """What travels in a film: vectors from a link or from the velocity polygon, and found ω and α.
 
 A component that is known is a link, or a velocity, that is turned, and stretched to the polygon's
-scale: ab is the crank AB turned by 90° in the sense of ω.  An image is the link itself.  Which
-vector comes from where follows from the strokes alone.  An ω or α that a polygon finds goes back
-to its link.
+scale: ab is the crank AB turned by 90° in the sense of ω.  A vector that the image finds is a link,
+too, and the area of an image is that of a link.  Which vector comes from where follows from the
+strokes alone.  An ω or α that a polygon finds goes back to its link.
 """
 
 from __future__ import annotations
@@ -77,7 +77,7 @@ def _from_links(panel: Panel, mechanism: Panel) -> Iterator[tuple[str, Travel]]:
         shape, kind = stroke.shape, _kind(stroke, mechanism)
         if kind is None or not isinstance(shape, Arrow):
             continue
-        letters = (shape.tail, shape.head) if kind == "image" else _ends(stroke)
+        letters = (shape.tail, shape.head) if kind == "point" else _ends(stroke)
         tail, head = (places.get(point_of(letter)) for letter in letters)
         if tail is not None and head is not None:
             source = (head, tail) if kind == "normal" else (tail, head)
@@ -106,7 +106,7 @@ def _kind(stroke: Stroke, mechanism: Panel) -> TravelKind | None:
         return None
     on_link = mechanism.body(stroke.link).points
     letters = stroke.shape.tail, stroke.shape.head
-    return "image" if all(point_of(letter) in on_link for letter in letters) else None
+    return "point" if all(point_of(letter) in on_link for letter in letters) else None
 
 
 def _ends(stroke: Stroke) -> tuple[str, str]:

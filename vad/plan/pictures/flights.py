@@ -1,7 +1,8 @@
 """What flies in a film from one panel to another: vectors, images of links, and figures.
 
 A vector leaves the link or the velocity that it comes from, turns, is stretched to the scale of its
-polygon, and lands there; the image of a link flies first, and grows where it lands.  A figure upon
+polygon, and lands there.  The image of a link flies first, and grows where it lands.  So does a
+vector that would be too long beside its source, or too short to be seen on its way.  A figure upon
 a mechanism becomes the polygon whose shape it has.  On a page each panel is a picture of its own,
 which nothing can leave: there a pencil draws the vector, and the figure turns into its place within
 the polygon's panel.
@@ -17,12 +18,13 @@ from itertools import accumulate, combinations, pairwise
 
 from vad.lecture.moment import smooth
 from vad.lecture.pace import LANDED, PHASES
-from vad.plan.geometry import Rect, direction_of
+from vad.plan.geometry import SHORTEST, Rect, direction_of
 from vad.plan.items import FLIGHT, Item, Level, Span
 from vad.plan.labels.obstacles import Complexes, Obstacles
 from vad.plan.marks import Flying, Growth, Leg, Mark, Polygon, Polyline, Turning, line
+from vad.plan.pictures.lifts import LIFT, beside
 from vad.plan.pictures.traces import crossings, ghosts, path, ring, strokes_at, swept
-from vad.plan.pictures.vectors import HEAD_SHARE, ends_first
+from vad.plan.pictures.vectors import HEAD, HEAD_SHARE, HEAD_WHOLE, ends_first
 from vad.plan.reach import corners
 from vad.plan.sketch import Sketch
 from vad.strokes.shapes import Turned
@@ -31,10 +33,9 @@ from vad.strokes.travel import Travel
 
 #: A figure that is more often as large as its polygon, or as small, is not on the same page.
 MOST = 1e3
-#: A vector that is shorter on the page does not fly, as nobody would see it: a pencil draws it.
+#: A vector that is shorter on the page is not seen: nothing flies from there, and a copy becomes so
+#: short only where it lands.
 SHORTEST_FLIGHT = 0.010
-#: How far a copy lifts off the vector that it is made of.
-LIFT = 0.04
 #: How high it flies, of its way; higher only where it would cross words.
 ARCHES = (0.08, 0.20, 0.32)
 #: A copy that turns is at least so long.
@@ -163,10 +164,16 @@ class Flight:
         The beat of the flight.
     index
         The number of the stroke in its panel.
-    source, home
-        Where its tail and its head are in the panel that it leaves, and the room of that.
+    source, figure
+        Where its tail and its head are in the panel that it leaves, and the sketch of that.
+    centre
+        About what it turns and swells: where the tail that is seen lands.
     page, rooms
         In which it stays; the rooms of all panels, over which it is stretched.
+    grows_last
+        Whether it flies before it is stretched: an image that is small so long, and a vector that
+        would lie upon what stands beside the panels, not be seen as it flies, or turn as it does so
+        to where it is seen from another side.
     """
 
     stroke: str
@@ -175,9 +182,11 @@ class Flight:
     during: int
     index: int
     source: tuple[complex, complex]
-    home: Rect
+    figure: Sketch
+    centre: complex
     page: Rect
     rooms: Sequence[Rect]
+    grows_last: bool = False
 
     @classmethod
     def of(
@@ -187,16 +196,22 @@ class Flight:
         sketches: Mapping[str, Sketch],
         edges: tuple[Rect, Sequence[Rect]],
     ) -> Flight | None:
-        """Return a travel on the page; None if a vector is no more than a point there."""
+        """Return a travel on the page; None if its source is no more than a point there."""
         panel, _, name = stroke.partition(":")
         polygon, figure = sketches[panel], sketches[travel.source]
         index = polygon.setting.panel.number(name)
         source = figure.scale(travel.tail), figure.scale(travel.head)
         length = polygon.scale.factor * abs(travel.end - travel.start)
-        if min(abs(source[1] - source[0]), length) < SHORTEST_FLIGHT:
+        if abs(source[1] - source[0]) < SHORTEST_FLIGHT or length < SHORTEST:
             return None
-        during, home = polygon.setting.during(index), figure.setting.room
-        return cls(stroke, travel, polygon, during, index, source, home, *edges)
+        during = polygon.setting.during(index)
+        tails = (tail for each in polygon.items if each.stroke == stroke for tail in _tails(each))
+        centre = next(tails, polygon.scale(travel.start))
+        flight = cls(stroke, travel, polygon, during, index, source, figure, centre, *edges)
+        small = flight.seen < 1.0 if not flight.is_vector else length < SHORTEST_FLIGHT
+        turns = travel.seen is not None
+        last = small or turns or (flight.is_vector and not flight.has_room())
+        return replace(flight, grows_last=last)
 
     @property
     def span(self) -> Span:
@@ -227,14 +242,6 @@ class Flight:
         return max(abs(head - tail) / abs(end - start), SEEN / longest)
 
     @property
-    def grows_last(self) -> bool:
-        """Whether it is an image that flies while it is small, and grows where it lands.
-
-        So nothing large lies upon what stands beside its panel.
-        """
-        return not self.is_vector and self.seen < 1.0
-
-    @property
     def seconds(self) -> Sequence[float]:
         """The seconds of its phases."""
         *before, stretch, fly = PHASES[self.travel.kind]
@@ -256,6 +263,14 @@ class Flight:
         if not self.is_vector:
             return mark.role == "plate"
         return item.since == self.during and mark.role in ("vector", "whole", "head")
+
+    def has_room(self) -> bool:
+        """Tell whether a vector has room over panels when it is stretched beside its source."""
+        tail, head, *_ = self.ends(self.stretched)
+        points = [tail + part / COVERED * (head - tail) for part in range(COVERED + 1)]
+        return all(any(room.holds(z, OUTSIDE) for room in self.rooms) for z in points) and all(
+            map(self.page.holds, points)
+        )
 
     def landed(self, item: Item) -> Item:
         """Return an item of the stroke that shows from the end of the flight on, if it grew."""
@@ -282,26 +297,28 @@ class Flight:
         moving: list[Mark] = []
         traces: list[Mark] = []
         edges: list[Mark] = []
-        tip, full, centre = None, 0.0, self.polygon.scale(self.travel.start)
+        tip, own, centre = None, 0.0, self.centre
+        usual = HEAD * (HEAD_WHOLE if any(mark.role == "whole" for mark in marks) else 1.0)
         for shape in (mark.shape for mark in marks):
             match shape:
-                case Polyline(pieces):
-                    centre = pieces[0][0]
                 case Polygon(rings) if self.is_vector:
                     tip, left, _, right = rings[0]
-                    full = abs(tip - (left + right) / 2) / HEAD_SHARE
+                    own = abs(tip - (left + right) / 2)
                 case Polygon(rings):
                     edges.append(line((*rings[0], rings[0][0]), "whole", marks[0].row))
-        full = min(full, abs(tip - centre)) if tip is not None else 0.0
-        legs = self.clearest(centre, strokes, words)
-        flying = Flying(centre, tuple(legs), tip, full)
+        legs = self.clearest(strokes, words)
+        flying = Flying(centre, tuple(legs))
+        if tip is not None:
+            full, length = own / HEAD_SHARE, abs(tip - centre)
+            most = max(1.0, usual / own) if full > length else 1.0
+            flying = Flying(centre, tuple(legs), tip, min(full, length), most)
         *before, landed = self.landmarks
         leaves = before[self.flies - 1]
         for mark in (*marks, *edges):
             moved = replace(mark, growth=flying, hangs=None)
             moving.append(moved)
             traces += ghosts(moved, before, landed)
-        traces.append(path(self.paths(centre, legs)[self.docks], leaves, landed))
+        traces.append(path(self.paths(legs)[self.docks], leaves, landed))
         if self.docks:
             traces.append(ring(self.polygon.scale(self.travel.end), leaves, landed))
         return Item(self.stroke, FLIGHT, Level.STROKE, (*traces, *moving), *self.span)
@@ -312,125 +329,145 @@ class Flight:
         seconds = self.seconds
         return [smooth(end / (sum(seconds) + LANDED)) for end in accumulate(seconds)]
 
-    def clearest(self, centre: complex, strokes: Complexes, words: Obstacles) -> list[Leg]:
+    def clearest(self, strokes: Complexes, words: Obstacles) -> list[Leg]:
         """Return the legs of the flight that crosses the fewest words, and then strokes."""
         boxes = [box for box, _ in words.during(self.span).boxes]
         found: list[tuple[int, int, list[Leg]]] = []
         for side in (side for arch in ARCHES for side in (arch, -arch)):
-            legs = list(self.legs(centre, side))
-            paths = self.paths(centre, legs)
+            legs = list(self.legs(side))
+            paths = self.paths(legs)
             met = sum(crossings(each, strokes) for each in paths)
             found.append((swept(paths, boxes), met, legs))
             if side < 0.0 and not min(each[0] for each in found):
                 break
         return min(found, key=lambda each: each[:2])[-1]
 
-    def paths(self, centre: complex, legs: Sequence[Leg]) -> tuple[list[complex], list[complex]]:
+    def paths(self, legs: Sequence[Leg]) -> tuple[list[complex], list[complex]]:
         """Return the ways of the tail that is seen and of the head in the phase of the flight.
 
         Of a vector that begins with another one, only the rest is seen.
         """
         flown = legs[self.flies * PARTS : (self.flies + 1) * PARTS + 1]
-        heads = [self.ends(centre, leg)[1] for leg in flown]
-        return [centre + leg.offset for leg in flown], heads
+        heads = [self.ends(leg)[1] for leg in flown]
+        return [self.centre + leg.offset for leg in flown], heads
 
-    def legs(self, centre: complex, arch: float) -> Iterator[Leg]:
+    def legs(self, arch: float) -> Iterator[Leg]:
         """Yield how a point of the polygon, about which all is turned, flies from its source.
 
         In the phase of the flight it rises by ``arch`` of its way to the left.  An image turns in
-        the room that it leaves.
+        the room that it leaves, and nothing leaves the page: on its way it bends away from edges.
         """
-        *before, stretched, last = self.stops(centre)
-        if not self.grows_last:
-            stretched = self.over_rooms(centre, stretched)
-        stops, seconds = [*before, stretched, last], self.seconds
-        if not self.is_vector:
-            turned = (self.within(self.home, centre, leg) for leg in stops[1 : self.flies + 1])
-            stops[1 : self.flies + 1] = turned
-        ends = list(accumulate(seconds, initial=0.0))
+        stops = self.stops()
+        phases = len(stops) - 1
+        rooms = [self.page if self.is_vector else self.figure.setting.room] * self.flies
+        rooms += [self.page] * (phases - self.flies)
+        for number in range(1, phases):
+            stops[number] = self.within(rooms[number - 1], stops[number])
+        ends = list(accumulate(self.seconds, initial=0.0))
+        whole = ends[-1] + LANDED
         yield stops[0]
         for number, (one, other) in enumerate(pairwise(stops)):
             high = arch * 1j * (other.offset - one.offset) if number == self.flies else 0j
-            turns = not self.is_vector and number < self.flies
+            high += self.inward(rooms[number], one, other, high)
             for part in range(1, PARTS + 1):
-                share = smooth(part / PARTS)
-                time = ends[number] + seconds[number] * part / PARTS
-                up = 4.0 * share * (1.0 - share) * high
-                leg = Leg(
-                    smooth(time / (ends[-1] + LANDED)),
-                    one.offset + share * (other.offset - one.offset) + up,
-                    one.factor + share * (other.factor - one.factor),
-                    one.degrees + share * (other.degrees - one.degrees),
-                )
-                if turns:
-                    leg = self.within(self.home, centre, leg)
-                yield self.within(self.page, centre, leg)
+                leg = between_legs(one, other, smooth(part / PARTS), high)
+                time = ends[number] + part / PARTS * (ends[number + 1] - ends[number])
+                yield leg._replace(share=smooth(time / whole))
 
-    def over_rooms(self, centre: complex, leg: Leg) -> Leg:
-        """Return a leg at which the vector lies over panels, moved to its own one if need be.
+    def inward(self, room: Rect, one: Leg, other: Leg, high: complex) -> complex:
+        """Return how much further a phase that rises so ``high`` bends, not to leave a room."""
+        across, upright = [0.0], [0.0]
+        for part in range(1, PARTS):
+            share = smooth(part / PARTS)
+            back = self.outside(room, between_legs(one, other, share, high))
+            back -= (1.0 - share) * self.outside(room, one)
+            more = (back - share * self.outside(room, other)) / arched(share)
+            across.append(more.real)
+            upright.append(more.imag)
+        return complex(min(across) + max(across), min(upright) + max(upright))
 
-        Beside them stand the rows of the table, which it would cover.
-        """
-        tail, head, *_ = self.ends(centre, leg)
-        points = [tail + part / COVERED * (head - tail) for part in range(COVERED + 1)]
-        if all(any(room.holds(z, OUTSIDE) for room in self.rooms) for z in points):
-            return leg
-        return self.within(self.polygon.setting.room, centre, leg)
-
-    def within(self, room: Rect, centre: complex, leg: Leg) -> Leg:
+    def within(self, room: Rect, leg: Leg) -> Leg:
         """Return a leg at which what flies lies in a room, moved if need be."""
-        ends = self.ends(centre, leg)
+        return leg._replace(offset=leg.offset + self.outside(room, leg))
+
+    def outside(self, room: Rect, leg: Leg) -> complex:
+        """Return how far what flies has to be moved at a leg, to lie in a room."""
+        ends = self.ends(leg)
         xs, ys = [z.real for z in ends], [z.imag for z in ends]
-        back = complex(
+        return complex(
             max(room.left - min(xs), 0.0) + min(room.right - max(xs), 0.0),
             max(room.bottom - min(ys), 0.0) + min(room.top - max(ys), 0.0),
         )
-        return leg._replace(offset=leg.offset + back)
 
-    def ends(self, centre: complex, leg: Leg) -> list[complex]:
-        """Return tail and head at a leg, and the further corners of an image."""
-        turn = cmath.rect(leg.factor, math.radians(leg.degrees))
-        return [centre + turn * (z - centre) + leg.offset for z in self.corners]
+    def ends(self, leg: Leg) -> list[complex]:
+        """Return tail and head of what is seen at a leg, or the corners of an image."""
+        turn, corners = cmath.rect(leg.factor, math.radians(leg.degrees)), self.corners
+        seen = [self.centre, corners[1]] if self.is_vector else corners
+        return [self.centre + turn * (z - self.centre) + leg.offset for z in seen]
 
-    def stops(self, centre: complex) -> list[Leg]:
+    def stops(self) -> list[Leg]:
         """Return where the flight begins, and where each of its phases ends.
 
         A copy of a short vector swells as it lifts off, so that all see how it turns.  One that
         leaves a view from another side is seen from that of its polygon when it lands.
         """
-        scale, kind, turn = self.polygon.scale, self.travel.kind, self.travel.turn
-        (tail, head), start = self.source, scale(self.travel.start)
-        whole = scale(self.travel.end) - start
-        begin = tail + (head - tail) / whole * (centre - start) - centre
-        place = begin + self.lift
-        size, seen = abs(head - tail) / abs(whole), self.seen
-        oblique = abs(self.travel.oblique)
-        tilt = math.degrees(cmath.phase(self.travel.oblique))
-        lifted, turned = Leg(0.0, place, seen, tilt - turn), Leg(0.0, place, seen, tilt)
-        phases = {
-            "tangential": [lifted, turned],
-            "coriolis": [lifted, turned],
-            "turned": [lifted, turned],
-            "normal": [lifted],
-            "axial": [lifted],
-            "image": [turned],
-        }
-        stretched = (
-            turned._replace(offset=0j) if self.grows_last else Leg(0.0, place, oblique, tilt)
-        )
-        return [Leg(0.0, begin, size, tilt - turn), *phases[kind], stretched, Leg(0.0, 0j)]
+        (tail, head), (start, end, *_) = self.source, self.corners
+        turn, size, stretched = self.travel.turn, self.seen, self.stretched
+        tilt = stretched.degrees
+        lifted, turned = (stretched._replace(factor=size, degrees=tilt - by) for by in (turn, 0.0))
+        phases = {"normal": [lifted], "axial": [lifted], "image": [turned]}
+        if self.grows_last:  # and back from a head that docks
+            away = end - self.centre if self.docks else 0j
+            stretched = Leg(0.0, (1.0 - size) * away, size)
+        first = Leg(0.0, self.begin, abs(head - tail) / abs(end - start), tilt - turn)
+        return [first, *phases.get(self.travel.kind, [lifted, turned]), stretched, Leg(0.0, 0j)]
+
+    @property
+    def begin(self) -> complex:
+        """How far it is from its place when it lies upon its source."""
+        (tail, head), (start, end, *_) = self.source, self.corners
+        return tail + (head - tail) / (end - start) * (self.centre - start) - self.centre
+
+    @property
+    def stretched(self) -> Leg:
+        """Where a vector is beside its source when it has turned, and is stretched."""
+        oblique = self.travel.oblique
+        tilt = math.degrees(cmath.phase(oblique))
+        return Leg(0.0, self.begin + self.lift, abs(oblique), tilt)
 
     @property
     def lift(self) -> complex:
         """How far a copy lifts off its source before it turns."""
         tail, head = self.source
         match self.travel.kind:
-            case "tangential":  # it slides until its tail is at the end of the link
-                return head - tail
+            case "tangential" | "point":  # it slides until its tail is at the end of the link
+                return head - self.centre - self.begin
             case "coriolis" | "turned":
                 return LIFT * direction_of(self.travel.start, self.travel.end)
             case "normal" | "axial":
-                up = 1j * direction_of(tail, head)
-                return LIFT * (up if up.imag >= 0.0 else -up)
+                return beside(self.figure, tail, head) * 1j * direction_of(tail, head)
             case "image":
                 return 0j
+
+
+def _tails(item: Item) -> Iterator[complex]:
+    """Yield where the shafts of an item begin, if it is drawn where a polygon is."""
+    for mark in item.marks if item.level == Level.STROKE else ():
+        if mark.role in ("vector", "whole") and isinstance(mark.shape, Polyline):
+            yield mark.shape.pieces[0][0]
+
+
+def arched(share: float) -> float:
+    """Return how high an arch is at a share of its way, of its height in the middle."""
+    return 4.0 * share * (1.0 - share)
+
+
+def between_legs(one: Leg, other: Leg, share: float, high: complex) -> Leg:
+    """Return where what flies is between two legs, on a way that rises so ``high``."""
+    offset = one.offset + share * (other.offset - one.offset) + arched(share) * high
+    return Leg(
+        0.0,
+        offset,
+        one.factor + share * (other.factor - one.factor),
+        one.degrees + share * (other.degrees - one.degrees),
+    )
