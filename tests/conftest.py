@@ -1,7 +1,7 @@
 """What holds for all tests.
 
 A test that is marked ``exhaustive`` looks at many mechanisms or poses alike.  Usually one case in
-sixteen of it runs, or one in so many as the mark says; of tests whose marks name the same ``of``,
+32 of it runs, or one in so many as the mark says; of tests whose marks name the same ``of``,
 the same cases run, so that what they look at is made once.  Hypothesis tries the same examples in
 each run.  With ``--exhaustive``, as in ``.ci/nightly``, all cases run, and the examples are new.
 """
@@ -30,7 +30,7 @@ if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_I
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 #: Of the cases of an exhaustive test one in so many runs usually, and always the first.
-ONE_IN = 16
+ONE_IN = 32
 
 # No test has a limit of time: a machine may be busy.
 settings.register_profile("the same each time", derandomize=True, deadline=None)

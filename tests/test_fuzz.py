@@ -13,15 +13,15 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-#: So many inputs of each entrance take a second or two.  Calls have tests of their own.
+#: So many inputs of each entrance take a second or less.  Calls have tests of their own.
 SHARES = {
     "files": 3,
-    "lines": 25,
+    "lines": 12,
     "draws": 2,
-    "sheets": 6,
-    "batches": 15,
-    "messages": 4,
-    "requests": 8,
+    "sheets": 3,
+    "batches": 8,
+    "messages": 3,
+    "requests": 4,
     "titles": 1,
     "signals": 2,
 }

@@ -18,7 +18,7 @@ LESSON = vad.animate(SHEET)
 BOTH = np.array([60.0, 61.0])
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("entrance", [calls, files, linkages])
 @pytest.mark.parametrize("first", range(0, 200, 50))
 def test_nothing_that_comes_in_breaks_the_promise(entrance, first):

@@ -55,7 +55,7 @@ def wait_for(running: subprocess.Popen[str], path: Path) -> None:
         time.sleep(0.01)
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("pause", [0.0, 0.2, 0.4, 0.8])
 @pytest.mark.parametrize(
     ("signals", "code"),

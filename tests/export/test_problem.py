@@ -151,7 +151,7 @@ def on(place: Rect, mark: Mark) -> bool:
             return not apart(place, box(mark))
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("language", ["en", "de", "fr"])
 @pytest.mark.parametrize("page", [*PAGES, "upright"])
 @pytest.mark.parametrize("name", ["slider-crank", "four-bar", "whitworth"])
@@ -234,7 +234,7 @@ def test_a_problem_at_four_to_three_has_the_page_of_its_key(name: str) -> None:
     assert task and min(line.size for line in task) >= SMALLEST[-1]
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
 @pytest.mark.parametrize("name", ["toggle-press", "watt-2", "shaper", "beam-engine"])
 def test_a_task_is_never_left_out(name: str, size: tuple[int, int]) -> None:

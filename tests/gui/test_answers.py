@@ -137,7 +137,7 @@ def test_a_page_that_knows_the_mechanism_is_not_told_it_again(ask: Ask):
     assert len(other["layers"]) == 3
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_a_fair_copy_is_short(client: TestClient, name):
     first = client.post("/api/lesson", json={"mechanism": name})

@@ -70,7 +70,7 @@ _TRACED = ["devtools.timeline", "disabled-by-default-devtools.timeline"]
 WINDOW = 320
 
 
-@pytest.mark.exhaustive(2)
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("name", MOST)
 def test_a_move_sets_no_more_than_it_moves_and_asks_nobody(browser: Browser, name: str) -> None:
     with served(ExportQuestion(name)) as key:

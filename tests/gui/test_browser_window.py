@@ -439,7 +439,7 @@ def test_every_mechanism_in_every_language(
         assert "Kurbel\u00a040,5" in window.locator("header p").inner_text()
 
 
-@pytest.mark.exhaustive(2)
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("width", [320, 700, 1000])
 def test_a_narrow_window_has_all_of_it(window: Page, address: str, width):
     window.goto(address.partition("?")[0])

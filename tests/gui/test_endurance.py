@@ -19,12 +19,12 @@ from tests.gui.test_command import started
 from vad.mechanisms import MECHANISMS
 
 #: How many moves each client makes; ten thousand take some minutes: VAD_FULL=1.
-MOVES = 10_000 if os.environ.get("VAD_FULL") else 60
+MOVES = 10_000 if os.environ.get("VAD_FULL") else 30
 #: So many at first, until all that is kept on purpose is there; and the most that comes then, in
 #: bytes.
-WARM, MOST = 48, 96e6
+WARM, MOST = 24, 96e6
 #: What both clients move, one after the other, and after how many moves the next comes.
-MOVED, NEXT = ("four-bar", "slider-crank", "crank-slotted-lever", "hooke-joint"), 12
+MOVED, NEXT = ("four-bar", "slider-crank", "crank-slotted-lever", "hooke-joint"), 6
 
 
 class Client:

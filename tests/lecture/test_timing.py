@@ -62,7 +62,7 @@ def test_how_long_a_stroke_grows(kind: Kind):
     assert growth(Stroke(kind, "a", Dot(0j), ""), longest=1.0) == pytest.approx(long)
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("name", MEASURED)
 def test_every_caption_can_be_read_and_no_film_is_much_longer(name: str, language: str):
@@ -76,7 +76,7 @@ def test_every_caption_can_be_read_and_no_film_is_much_longer(name: str, languag
     assert lesson.duration <= LONGER * first_measured(name, language)
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("name", list(vad.MECHANISMS))
 def test_a_calculation_is_said_in_three_beats(name: str, language: str):

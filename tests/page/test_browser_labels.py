@@ -39,7 +39,7 @@ def check(found: dict[str, Any]) -> None:
     assert found["candidates"] < 1500
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize("name", USUAL)
 def test_labels_stay_readable(name: str, page: Page) -> None:
     check(walked(page, name, 90))

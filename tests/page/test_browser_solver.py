@@ -174,7 +174,7 @@ def calculation(case: str) -> tuple[Program, list[int]]:
     return recorded.program(tuple(listed)), [0, *orders]
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("case", CASES)
 def test_a_browser_finds_the_bits_of_python(case: str, page: Page, request: Any) -> None:
     """The arc tangents may differ in the last place; with them, all other numbers are Python's."""

@@ -44,7 +44,7 @@ def enlarged(name: str) -> tuple[Plan, HandBoard, Inker, Mapping[str, Large]]:
     return board, turned, inker, large_panels(board, turned, inker)
 
 
-@pytest.mark.exhaustive(2)
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("name", [*NAMES, HALVES])
 def test_drawings_grow_and_letters_have_the_size_in_which_they_are_read(name: str) -> None:
     board, _, inker, panels = enlarged(name)

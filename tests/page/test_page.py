@@ -40,7 +40,7 @@ def test_a_page_is_small(name: str, whole: bool) -> None:
     assert len(page_of(name, whole=whole).encode()) <= LARGEST
 
 
-@pytest.mark.exhaustive(32)
+@pytest.mark.exhaustive(64)
 @pytest.mark.parametrize("name", example_names())
 def test_the_page_of_an_example_is_small(name: str) -> None:
     lesson = vad.animate(vad.draw(vad.solve(vad.load(example_path(name))())))

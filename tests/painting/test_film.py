@@ -27,7 +27,7 @@ def assert_equal_to_redraws(lesson: Lesson) -> None:
     assert count == lesson.frames
 
 
-@pytest.mark.exhaustive(2)
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize(
     ("style", "size"), list(zip(style_names(), cycle([SIZE, (480, 360)]), strict=False))
 )
@@ -35,7 +35,7 @@ def test_incremental_frames_equal_full_redraws_byte_for_byte(style: str, size: t
     assert_equal_to_redraws(animate(slider_crank(), fps=3, size=size, style=style))
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize(
     "panels", ["klein,velocity,acceleration", "turned,velocity", "centres,velocity"]
 )

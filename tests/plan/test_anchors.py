@@ -470,7 +470,7 @@ def same(one: Any, other: Any) -> bool:
     return one == pytest.approx(other, abs=1e-9) if isinstance(one, float) else bool(one == other)
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("name", KINDS)
 def test_every_vertex_of_a_few_poses_is_where_it_belongs(name):
     mechanism = reach_of(name)[0]

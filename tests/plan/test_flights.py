@@ -163,7 +163,7 @@ def shafts(board):
             yield found[item.stroke], item, flying
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_what_travels_is_its_source_times_a_rate(name):
     """ab is AB times iω, a normal component BA times ω², Coriolis' v times 2iω."""
@@ -193,7 +193,7 @@ def test_what_travels_is_its_source_times_a_rate(name):
         assert found == pytest.approx(wanted, rel=1e-6), stroke
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_vectors_fly_from_their_source_to_their_vertices(name, request):
     """In a usual run on one page."""
@@ -274,7 +274,7 @@ def test_a_stretched_vector_does_not_lie_on_the_rows_of_the_table(kind):
     assert found > 1
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize(
     "name", ["stephenson-3", "sewing-machine", "leg-from-coordinates", "drag-link", "four-bar"]
 )

@@ -103,7 +103,7 @@ def posed(board: HandBoard, inputs: dict[str, float]) -> dict[str, Sketch]:
     return sketches
 
 
-@pytest.mark.exhaustive(48)
+@pytest.mark.exhaustive(96)
 @pytest.mark.parametrize("name", KINDS)
 def test_one_traced_board_is_the_board_of_every_pose(
     name: str, request: pytest.FixtureRequest

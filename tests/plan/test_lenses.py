@@ -206,7 +206,7 @@ def test_a_problem_gives_nothing_away():
     assert letters == ["a′, d′"]
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize(
     ("name", "pose"),
     [
@@ -319,7 +319,7 @@ def test_no_lens_is_looked_for_where_one_would_not_help(monkeypatch: pytest.Monk
     assert len(tried) <= 2
 
 
-@pytest.mark.exhaustive(48, of="stills")
+@pytest.mark.exhaustive(96, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_lenses_of_all_mechanisms(name: str, step: int):

@@ -63,7 +63,7 @@ def test_a_lens_in_the_way_is_seen():
     assert "knot" in found
 
 
-@pytest.mark.exhaustive(48, of="stills")
+@pytest.mark.exhaustive(96, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_lenses_of_all_mechanisms_as_they_are_seen(name: str, step: int):

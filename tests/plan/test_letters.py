@@ -46,7 +46,7 @@ TOUCHED = {
 }
 
 
-@pytest.mark.exhaustive(48, of="stills")
+@pytest.mark.exhaustive(96, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_letters_are_read_and_name_their_own_points(name: str, step: int):

@@ -94,7 +94,7 @@ def test_a_point_never_stands_in_two_labels():
             assert one != other or not together(first, second)  # a lens takes a letter over
 
 
-@pytest.mark.exhaustive(32)
+@pytest.mark.exhaustive(64)
 @pytest.mark.parametrize(
     ("name", "place"),
     [
@@ -125,7 +125,7 @@ def test_many_letters_of_one_point_stand_in_lines():
     assert first.at.imag - second.at.imag > first.size
 
 
-@pytest.mark.exhaustive(48)
+@pytest.mark.exhaustive(96)
 @pytest.mark.parametrize("first", range(0, 72, 9))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_letters_are_joined_where_points_are_equal(

@@ -53,7 +53,7 @@ def stage_of(name: str, size: tuple[int, int] = SIZES[0]) -> Stage:
     return board
 
 
-@pytest.mark.exhaustive(32)
+@pytest.mark.exhaustive(64)
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("name", EVERY)
 def test_the_panel_in_work_has_more_than_half_of_the_height(name: str, size: tuple[int, int]):
@@ -91,7 +91,7 @@ def test_the_parts_of_a_scene_lie_apart_on_the_page(name: str, size: tuple[int, 
             assert layout.page.captions[0] < area.bottom < area.top < layout.page.title
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize("name", ["slider-crank", "jansen-leg", "hooke-joint", "rssr"])
 def test_equation_and_rows_stay_beside_the_drawing(name: str):
     for size in SIZES:

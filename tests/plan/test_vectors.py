@@ -167,7 +167,7 @@ def begins(board: Plan, item: Item, end: complex) -> complex:
     return end if abs(last - neck) < 1e-9 else first
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_no_vector_begins_in_empty_air(name: str):
     machine = MACHINES[name]()

@@ -320,7 +320,7 @@ def test_a_link_has_one_number(name: str) -> None:
         assert numbers.get(given, {"₂"}) == {"₂"}
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("name", [*example_names()[::-1], *vad.MECHANISMS])
 def test_a_construction_line_is_drawn_towards_what_it_finds(name: str) -> None:
     mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))()

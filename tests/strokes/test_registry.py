@@ -124,14 +124,12 @@ from vad.gui.answers import pose
 from vad.gui.messages import PoseQuestion
 
 panels = {}
-for name, kind in vad.MECHANISMS.items():
-    sheet = vad.draw(vad.solve(kind()))
-    panels[name] = [panel.name for panel in sheet.panels]
-    vad.save(sheet, name + ".json")
-    assert vad.sheet_from_json(name + ".json") == sheet
 for name in ("four-bar", "scotch-yoke", "rssr"):
     mechanism = vad.MECHANISMS[name]()
     sheet = vad.draw(vad.solve(mechanism))
+    panels[name] = [panel.name for panel in sheet.panels]
+    vad.save(sheet, name + ".json")
+    assert vad.sheet_from_json(name + ".json") == sheet
     vad.save(sheet, name + ".svg")
     if "force" in panels[name]:
         vad.save(vad.animate(sheet), name + ".html")
@@ -207,9 +205,8 @@ def test_a_kind_of_picture_that_no_painter_knows() -> None:
 def test_a_diagram_is_drawn_where_it_applies_in_the_plane_and_in_space(tmp_path: Path) -> None:
     said, errors = tried(tmp_path, "force.py", FORCE, FOUR)
     usual = ["position", "velocity", "acceleration"]
-    assert said.pop("scotch-yoke") == usual
-    assert len(said) == len(vad.MECHANISMS) - 1
-    assert all(names == [*usual, "force"] for names in said.values())
+    drawn = [*usual, "force"]
+    assert said == {"four-bar": drawn, "scotch-yoke": usual, "rssr": drawn}
     message, hint = errors.strip().splitlines()[-2:]
     assert message == "error: panel 'force' does not apply to scotch-yoke"
     assert (

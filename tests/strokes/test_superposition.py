@@ -21,7 +21,7 @@ def four_bar(**more):
     return vad.forces(vad.solve(machine, angle=120), loads, **more)
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("name", NAMES)
 def test_the_parts_add_up_to_the_forces_of_all_loads(name):
     found = forces_of(name)

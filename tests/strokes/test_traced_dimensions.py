@@ -176,7 +176,7 @@ def condition(mechanism: Mechanism, values: Values) -> float:
     return moved
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("name", VARIANTS)
 def test_every_dimension_is_an_input_without_a_guard(name: str) -> None:
     """It is one only if sixty sets of dimensions are solved right.

@@ -100,7 +100,7 @@ def test_a_bar_turns_in_the_view_along_its_axis(angle, omega, alpha):
     assert found["acceleration:BC.normal"].turn == pytest.approx(0.0, abs=1e-9)
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
 @pytest.mark.parametrize("name", SPACE)
 def test_vectors_leave_the_small_pictures_and_land_at_their_vertices(name, size):
