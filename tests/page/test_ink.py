@@ -15,7 +15,7 @@ from vad.page.ink import grown
 from vad.page.parts import page_plan
 from vad.painting.painter import NEARLY_GONE
 from vad.painting.svg_elements import Grid
-from vad.plan.marks import Disc, Mark, Polygon, Polyline, Sliding, Turning
+from vad.plan.marks import Disc, Flying, Mark, Polygon, Polyline, Sliding, Turning
 
 
 def vertices(mark: Mark, grid: Grid) -> list[complex]:
@@ -40,8 +40,8 @@ def between(knots: list[list[float]], share: float) -> list[float]:
     return knots[0][1:] if share < knots[0][0] else knots[-1][1:]
 
 
-@pytest.mark.parametrize("kind", [Turning, Sliding])
-def test_tools_move_on_the_page_as_on_the_board(kind):
+@pytest.mark.parametrize("kind", [Turning, Sliding, Flying])
+def test_tools_and_heads_move_on_the_page_as_on_the_board(kind):
     board = page_plan(lesson_of("four-bar"))
     grid, checked = Grid(board.form), 0
     marks = [mark for item in board.items for mark in item.marks if isinstance(mark.growth, kind)]
@@ -55,6 +55,11 @@ def test_tools_move_on_the_page_as_on_the_board(kind):
             if name == "turn":  # rotate(degrees x y) turns clockwise where y points down
                 about, turn = complex(*centre), cmath.rect(1.0, math.radians(numbers[0]))
                 shown = [about + turn * (z - about) for z in vertices(mark, grid)]
+            elif name == "lead":
+                x, y, right, down, whole = centre
+                about, by = complex(x, y), (1.0 - share) * complex(right, down)
+                size = min(1.0, share / whole)
+                shown = [by + about + size * (z - about) for z in vertices(mark, grid)]
             else:
                 shown = [z + complex(*numbers) for z in vertices(mark, grid)]
             there = vertices(now, grid)

@@ -195,3 +195,27 @@ def test_the_coriolis_acceleration_is_drawn_from_its_head(name: str):
     assert begins(board, item, scale(stroke.shape.end)) == scale(stroke.shape.end)
     dots = [dots_at(board, "acceleration", beat) for beat in (item.since, item.since + 1)]
     assert [scale(stroke.shape.start) in each for each in dots] == [False, True]
+
+
+@pytest.mark.exhaustive(12)
+@pytest.mark.parametrize("name", sorted(MACHINES))
+def test_each_vector_is_seen_as_an_arrow_while_it_is_drawn(name: str):
+    """Also one that lies along another: it stands beside that until the next stroke is drawn."""
+    machine = MACHINES[name]()
+    sheet = vad.draw(pose(machine, 0.31))
+    board, columns = planned(sheet, lesson=True), ("velocity", "acceleration")
+    for half in (half for half in sheet.halves if half.column in columns):
+        for index, stroke in enumerate(half.strokes):
+            shape = stroke.shape
+            if not isinstance(shape, Arrow) or shape.start == shape.end:
+                continue
+            setting = board.sketches[half.name].setting
+            during, over = setting.during(index), setting.over(index)
+            own = [each for each in board.items if each.stroke == half.full(stroke.name)]
+            arrows = [
+                each
+                for each in own
+                if each.since == during and each.until >= over and each.level == Level.STROKE
+                if {"head"} < {mark.role for mark in each.marks if mark.growth}
+            ]
+            assert arrows, stroke.name

@@ -9,6 +9,8 @@ pixels::
     ["bow", knots, x, y, radius, start, sweep]      an arc, the part of its sweep
     [… , sweep, degrees, narrow]                    of an ellipse, its axis clockwise and its ratio
     ["slide", knots]                                how far it is from its place, right and down
+    ["lead", knots, x, y, right, down, whole]       the tip of a head, from there to its start, and
+                                                    the part of its way in which it grows
     ["turn", knots, x, y]                           degrees clockwise to its place, about a point
     ["scale", knots, x, y]                          its factor, about a point
     ["swing", knots, x, y, degrees]                 its factor, across an axis through the point
@@ -127,8 +129,7 @@ def grown(mark: Mark, grid: Grid) -> list[Any]:
                 return ["bow", _knots(knots), *place, *turn, *aside]
             return ["trim", _knots(knots)]
         case Sliding(offsets):
-            ways = [(share, z * grid.unit) for share, z in offsets]
-            return ["slide", [[_short(s), round(z.real, 1), round(-z.imag, 1)] for s, z in ways]]
+            return ["slide", [[_short(share), *_by(offset, grid)] for share, offset in offsets]]
         case Turning(centre, knots):
             return ["turn", _knots((s, -degrees) for s, degrees in knots), *_at(centre, grid)]
         case Scaling(centre, knots, axis):
@@ -137,6 +138,9 @@ def grown(mark: Mark, grid: Grid) -> list[Any]:
             return ["swing", _knots(knots), *_at(centre, grid), _clockwise(axis)]
         case Fading(knots):
             return ["fade", _knots(knots)]
+        case Flying(centre, legs, None):  # the head of a vector, which does not turn
+            way, whole = _by(legs[0].offset, grid), _short(legs[-2].share or 1.0)
+            return ["lead", [[0, 0], [1, 1]], *_at(centre, grid), *way, whole]
         case Flying() | Bending() | None:  # nothing leaves a panel of a page
             raise TypeError("the mark does not grow within its panel")
 
@@ -153,6 +157,10 @@ def _short(value: float) -> float:
 
 def _clockwise(axis: complex) -> float:
     return round(-math.degrees(cmath.phase(axis)), 2)
+
+
+def _by(offset: complex, grid: Grid) -> list[float]:
+    return [round(offset.real * grid.unit, 1), round(-offset.imag * grid.unit, 1)]
 
 
 def _at(z: complex, grid: Grid) -> list[float]:

@@ -86,6 +86,10 @@ function growing(mark, [kind, knots, x, y, ...bow]) {
     trim: ([part]) => draw((whole) => trimmed(whole, part)),
     bow: ([part]) => draw(() => arc(part, x, y, ...bow)),
     slide: ([right, down]) => mark.setAttribute("transform", `translate(${right} ${down})`),
+    lead: ([part]) => {
+      const [right, down, whole] = bow, size = Math.min(1, part / whole), at = (z, by) => z * (1 - size) + by * (1 - part);
+      mark.setAttribute("transform", `translate(${at(x, right)} ${at(y, down)}) scale(${size})`);
+    },
     turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
     scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
     swing: ([factor]) => draw((whole) => squeezed(whole, factor, x, y, ...bow)),

@@ -23,10 +23,11 @@ from vad.plan.format import Format
 from vad.plan.items import Item
 from vad.plan.labels.named import Label, NamedLabels
 from vad.plan.live_board import LiveBoard
+from vad.plan.pictures.lanes import ALONE
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.pictures.shared_lines import SharedLine, shared_lines
 from vad.plan.pictures.skeleton import Skeleton
-from vad.plan.pictures.vectors import ALONE, place_vectors
+from vad.plan.pictures.vectors import place_vectors
 from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
 from vad.plan.sketch import Sketch

@@ -14,7 +14,7 @@ from vad.plan.items import Level
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.marks import Fading, Trimming
 from vad.plan.pictures import machine, supports
-from vad.plan.pictures.vectors import Pen
+from vad.plan.pictures.lanes import Pen
 from vad.plan.reach import block_along, block_on, carries_block, ends_of_travel, is_bar, is_yoke
 from vad.plan.roles import BAR, BLOCK_RIM, PLATE_EDGE
 from vad.plan.sketch import Part, Piece, Sketch

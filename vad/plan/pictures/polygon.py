@@ -34,9 +34,10 @@ from vad.plan.pictures.inset import (
     insets_of,
     reserved,
 )
+from vad.plan.pictures.lanes import ALONE
 from vad.plan.pictures.lensed import with_lenses
 from vad.plan.pictures.shared_lines import NONE_SHARED, SharedLine
-from vad.plan.pictures.vectors import ALONE, Vector, add_vector, is_whole, place_vectors
+from vad.plan.pictures.vectors import Vector, add_vector, is_whole, place_vectors
 from vad.plan.reach import corners
 from vad.plan.roles import DOT_RIM, ROLES
 from vad.plan.scale import PEAK, Scale, bar_box, bar_marks, fill, polygon_scale, stated

@@ -14,7 +14,8 @@ from vad.kinematics.numbers import select_vector
 from vad.plan.anchors import Solved
 from vad.plan.geometry import SHORTEST
 from vad.plan.labels.vertices import COINCIDENT
-from vad.plan.pictures.vectors import Lane, Pen, is_whole, lane_group
+from vad.plan.pictures.lanes import Lane, Pen, lane_group
+from vad.plan.pictures.vectors import is_whole
 from vad.plan.roles import ROLES
 from vad.plan.scale import Scale
 from vad.strokes.sheet import Arrow, Panel

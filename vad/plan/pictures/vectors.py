@@ -1,17 +1,15 @@
-"""Vectors on the page: a shaft and a head, lanes for vectors on one line, and the visible parts.
+"""Vectors on the page: a shaft and a head, how they grow, and the visible parts.
 
-Each vector knows its weight, its lane and what labels must keep clear of.  Vectors on one line
-stand side by side, in lanes as on a road, so that no stroke covers another; their vertices stay
-where they are.
+Each vector knows its weight, its lane beside vectors on the same line, and what labels must keep
+clear of.
 """
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import accumulate, combinations, pairwise
 from typing import Literal
 
 from vad.kinematics.numbers import minimum
@@ -22,17 +20,19 @@ from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import COINCIDENT
 from vad.plan.marks import (
     Fading,
+    Flying,
     Growth,
     Hanging,
+    Leg,
     Mark,
     Outline,
     Polygon,
     Polyline,
     Scaling,
-    Sliding,
     Trimming,
     line,
 )
+from vad.plan.pictures.lanes import ALONE, LANE, Lane, Pen, lanes
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arrow, Dot, Panel, Stroke
@@ -44,31 +44,10 @@ HEAD_NOTCH = 0.24
 HEAD_SHARE = 0.6
 NECK = 0.66  # of the head's length, from the tip to where the shaft ends
 TIP_GAP = 0.006
-LANE = 1.6  # a lane's width, in pens: the heaviest of a style fits, too, and a gap
 APPEARING = ((0.0, 0.0), (0.15, 1.0))  # of a head from which its vector is drawn
 EDGE = 0.010  # from the edge of its room, a vector that leaves it ends
 #: How far before that it is broken, by how much, and half of the two strokes beside the gap.
 BREAK, GAP, ACROSS = 0.022, 0.009, 0.010 * cmath.rect(1.0, math.radians(65.0))
-
-
-@dataclass(frozen=True, slots=True)
-class Lane:
-    """Where a vector runs beside its true line.
-
-    Attributes
-    ----------
-    aside
-        How far it is moved.
-    left, right
-        How far it may reach to either side, seen along the vector.
-    """
-
-    aside: complex = 0j
-    left: float = math.inf
-    right: float = math.inf
-
-
-ALONE = Lane()
 
 
 @dataclass(frozen=True, slots=True)
@@ -176,6 +155,8 @@ class PlacedVector:
         Where it runs beside vectors on the same line.
     back
         Whether it is drawn from its head back to its tail.
+    beside
+        The lane of one that is covered, in which it is seen while it is drawn.
     """
 
     stroke: str
@@ -186,6 +167,7 @@ class PlacedVector:
     row: int | None
     lane: Lane = ALONE
     back: bool = False
+    beside: Lane = ALONE
 
     @property
     def role(self) -> str:
@@ -213,7 +195,7 @@ class PlacedVector:
 
     def light(self) -> Mark:
         """Return the light beneath it while it is drawn."""
-        start, end = self._shaft()
+        start, end = (z + self.beside.aside for z in self._shaft())
         growth = shrunk(end, start) if self.back else Trimming()
         return line([start, end], f"{self.role} light", self.row, growth)
 
@@ -274,7 +256,27 @@ def place_vectors(sketch: Sketch) -> dict[int, PlacedVector]:
     }
     for index, lane in lanes(pens).items():
         placed[index] = replace(placed[index], lane=lane)
+    for index, vector in placed.items():
+        if vector.seen is None:
+            placed[index] = replace(vector, beside=lane_beside(vector, placed.values()))
     return placed
+
+
+def lane_beside(vector: PlacedVector, others: Iterable[PlacedVector]) -> Lane:
+    """Return the lane of a vector beside one that covers it, on the side on which it truly lies."""
+    way = 1j * direction_of(vector.start, vector.end)
+    off = 0.0
+    for other in others:
+        if other.seen is not None and joins(other.start, other.end, vector.start, vector.end):
+            by = vector.start + vector.end - other.start - other.end - 2 * other.lane.aside
+            off = off or (by * way.conjugate()).real
+    wide = LANE * (ROLES["vector"].width + ROLES[vector.role].width) / 2
+    return Lane((wide if off >= 0.0 else -wide) * way)
+
+
+def joins(tail: complex, head: complex, start: complex, end: complex) -> bool:
+    """Tell whether a vector joins two vertices that another joins, as far as can be seen."""
+    return abs(tail - start) < COINCIDENT and abs(head - end) < COINCIDENT
 
 
 def ends_first(panel: Panel, index: int) -> bool:
@@ -296,7 +298,11 @@ def add_vector(sketch: Sketch, index: int, placed: PlacedVector) -> None:
     setting = sketch.setting
     stroke, during = setting.panel.strokes[index], setting.during(index)
     if not sketch.finished:
-        sketch.add(stroke, Level.STROKE, during, [placed.light()], setting.over(index))
+        shown = [placed.light()]
+        if placed.seen is None:
+            ends = placed.start, placed.end
+            shown += vector(*ends, placed.row, placed.role, placed.whole, placed.beside)
+        sketch.add(stroke, Level.STROKE, during, shown, setting.over(index))
     marks = placed.marks(sketch.solved, not sketch.finished)
     sketch.add(stroke, Level.STROKE, during, marks)
     placed.block(sketch.obstacles, during)
@@ -319,7 +325,7 @@ def visible_start(
             break
         if other.link != stroke.link:
             continue
-        if abs(tail - start) < COINCIDENT and abs(head - end) < COINCIDENT:
+        if joins(tail, head, start, end):
             return None
         same_way = abs(direction_of(tail, head) - direction_of(start, end)) < 1e-6
         ahead = abs(tail - start) < 1e-9 and same_way and abs(head - start) < abs(end - start)
@@ -355,7 +361,8 @@ def vector(
 ) -> list[Mark]:
     """Return a vector in its lane, its head at the tip.
 
-    It grows from ``start``, and its head runs ahead; or it grows ``back`` from its head.
+    It grows from ``start``, and its head runs ahead and grows, too, while it is short; or it grows
+    ``back`` from its head.
     """
     if abs(end - start) < SHORTEST:
         return []
@@ -364,15 +371,27 @@ def vector(
     if grows and back:
         growths = shrunk(shaft.pieces[0][1], shaft.pieces[0][0]), Fading(APPEARING)
     elif grows:
-        tail, tip = start + lane.aside, head.rings[0][0]
-        # The head runs ahead of the shaft, which begins when there is room behind the head.
-        begins = NECK * head_length(abs(end - start), whole) / abs(tip - tail)
-        trimming = Trimming(((0.0, 0.0), (begins, 0.0), (1.0, 1.0)))
-        growths = trimming, Sliding(((0.0, tail - tip), (1.0, 0j)))
+        growths = ahead(start + lane.aside, head.rings[0][0], head_length(abs(end - start), whole))
     return [
         Mark(shaft, role, row, growths[0], hangs=hangs[0]),
         Mark(head, "head", row, growths[1], hangs=hangs[1]),
     ]
+
+
+def ahead(tail: complex, tip: complex, head: float) -> tuple[Trimming, Flying]:
+    """Return the growth of a shaft, and that of the head of its length, which runs ahead.
+
+    Until the way is long enough for a whole head, that is smaller: it is never behind the tail.
+    """
+    length, neck = abs(tip - tail), NECK * head
+    first, last = Leg(0.0, tail - tip, 0.0), Leg(1.0, 0j)
+    full = min(head / HEAD_SHARE, length)
+    if full == length:
+        return Trimming(), Flying(tip, (first, last))
+    share = full / length
+    part = (full - neck) / (length - neck)
+    legs = first, Leg(share, (1.0 - share) * (tail - tip)), last
+    return Trimming(((0.0, 0.0), (share, part), (1.0, 1.0))), Flying(tip, legs)
 
 
 def shrunk(start: complex, end: complex) -> Scaling:
@@ -413,85 +432,3 @@ def head_of(start: complex, end: complex, whole: bool, lane: Lane = ALONE) -> li
     base, half = tip - head * way, HEAD_HALF_WIDTH * head
     left, right = (minimum(half, side) * 1j * way for side in (lane.left, lane.right))
     return [tip, base + left, base + HEAD_NOTCH * head * way, base - right]
-
-
-@dataclass(frozen=True, slots=True)
-class Pen:
-    """A straight stroke on its true line, with its width."""
-
-    start: complex
-    end: complex
-    width: float
-
-    @property
-    def way(self) -> complex:
-        """Its direction."""
-        return direction_of(self.start, self.end)
-
-    def seen_from(self, other: Pen) -> tuple[complex, complex]:
-        """Return its ends along (real) and left (imaginary) of another stroke's line."""
-        back = other.way.conjugate()
-        return (self.start - other.start) * back, (self.end - other.start) * back
-
-    def covers(self, other: Pen) -> bool:
-        """Tell whether another stroke lies on this one for a length that is seen."""
-        first, last = sorted(other.seen_from(self), key=lambda end: end.real)
-        low, high = max(first.real, 0.0), min(last.real, abs(self.end - self.start))
-        if high - low < COINCIDENT:
-            return False
-        slope = (last.imag - first.imag) / (last.real - first.real)
-        off = (first.imag + slope * (along - first.real) for along in (low, high))
-        return all(abs(each) < (self.width + other.width) / 2 for each in off)
-
-
-def lanes(pens: Mapping[int, Pen]) -> dict[int, Lane]:
-    """Return the lanes of those vectors that lie on others, by their numbers."""
-    meets: dict[int, set[int]] = {}
-    for one, other in combinations(pens, 2):
-        if pens[one].covers(pens[other]):
-            meets.setdefault(one, set()).add(other)
-            meets.setdefault(other, set()).add(one)
-    found: dict[int, Lane] = {}
-    for first in sorted(meets):
-        if first not in found:
-            found.update(lane_group(pens, meets, first))
-    return found
-
-
-def lane_group(
-    pens: Mapping[int, Pen], meets: Mapping[int, set[int]], first: int
-) -> Iterator[tuple[int, Lane]]:
-    """Yield the lanes of all vectors that lie on ``first``, or on one that does."""
-    group, road = _connected(meets, first), pens[first]
-
-    def place(number: int) -> tuple[float, int]:
-        """Keep a vector on the side on which it truly lies, else in the order of drawing."""
-        middle = sum(pens[number].seen_from(road)) / 2
-        return round(middle.imag / PIXEL), number
-
-    chosen: dict[int, int] = {}
-    for number in sorted(group, key=place):
-        taken = {chosen.get(other) for other in meets[number]}
-        chosen[number] = next(lane for lane in range(len(group)) if lane not in taken)
-    widths = [
-        LANE * max(pens[number].width for number in group if chosen[number] == lane)
-        for lane in range(max(chosen.values()) + 1)
-    ]
-    edges = [edge - sum(widths) / 2 for edge in accumulate(widths, initial=0.0)]
-    middles = [(low + high) / 2 for low, high in pairwise(edges)]
-    bounds = [-math.inf, *edges[1:-1], math.inf]
-    for number, lane in chosen.items():
-        middle, way = middles[lane], pens[number].way
-        right, left = middle - bounds[lane], bounds[lane + 1] - middle
-        if (way * road.way.conjugate()).real < 0:
-            middle, left, right = -middle, right, left
-        yield number, Lane(middle * 1j * way, left, right)
-
-
-def _connected(meets: Mapping[int, set[int]], first: int) -> set[int]:
-    found, fresh = {first}, {first}
-    # Each round finds others than before, or is the last.
-    while fresh:
-        fresh = set().union(*(meets[number] for number in fresh)) - found
-        found |= fresh
-    return found
