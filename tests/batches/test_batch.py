@@ -175,6 +175,7 @@ DAMAGE = {
 }
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("damage", DAMAGE)
 @pytest.mark.parametrize("name", ["answers.json", "answers.part.jsonl"])
 def test_of_damaged_answers_one_sheet_is_made_anew(written, contents, tmp_path, damage, name):

@@ -224,6 +224,7 @@ def test_every_kind_of_panel_has_a_name_in_a_task(name: str, language: str) -> N
     assert Language(language).say(f"task {name}")
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize("name", ["four-bar", "watt-2", "scissor-lift", "gate", "trammel"])
 def test_a_problem_at_four_to_three_has_the_page_of_its_key(name: str) -> None:
     machine = SCENES.get(name) or vad.load(example_path(name))()

@@ -302,6 +302,7 @@ def test_files_open(client: TestClient):
     assert wrong.json()["error"]["kind"] == "assembly"
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize(
     ("name", "parameters"),
     [("gate-actuator", {}), ("double-slider", {}), ("four-bar", {"crank": 130}), *RAMS.items()],

@@ -408,6 +408,7 @@ def test_the_address_has_all_that_is_set(window: Page, address: str):
     other.close()
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize("code", languages())
 def test_every_mechanism_in_every_language(
     window: Page, address: str, code: str, request: pytest.FixtureRequest

@@ -74,6 +74,7 @@ def test_it_says_what_it_shows(code: str) -> None:
     assert "ω₃ = −2.308 rad/s".replace(".", sheet.notation.point) in description
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("name", vad.MECHANISMS)
 def test_every_stroke_has_a_group_with_its_name_and_caption(name: str) -> None:
     sheet = sheet_of(name)
@@ -157,6 +158,7 @@ def test_names_of_a_picture_with_a_scope_are_its_own(text: str) -> None:
 class TestLetters:
     """Text that can be selected and searched."""
 
+    @pytest.mark.exhaustive(4)
     @pytest.mark.parametrize("name", vad.MECHANISMS)
     def test_results_can_be_read(self, name: str) -> None:
         sheet = sheet_of(name)

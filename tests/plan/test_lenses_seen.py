@@ -24,6 +24,7 @@ def seen(name: str, **pose: float) -> Plan:
     return planned(vad.draw(vad.solve(mechanism(), **pose)))
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize(
     ("name", "pose"),
     [

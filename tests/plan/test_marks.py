@@ -79,6 +79,7 @@ def last(mark: Mark) -> complex:
     return shape.curve()[-1] if isinstance(shape, Bow) else shape.pieces[-1][-1]
 
 
+@pytest.mark.exhaustive(4)
 @EVERY
 def test_what_is_drawn_to_the_end_is_as_it_stays(scene: str):
     for item in board(scene).items:

@@ -255,6 +255,7 @@ def test_the_sense_of_the_driver_lies_on_no_circle(degrees: float):
     assert min(off) > 0.008
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
 @pytest.mark.parametrize("degrees", [15.0, 60.0, 135.0, 150.0, 270.0])
 def test_the_note_of_a_view_stands_below_that_view(size: tuple[int, int], degrees: float):

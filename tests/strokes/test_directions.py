@@ -67,6 +67,7 @@ def in_cylinder(motion: Motion, stroke: Stroke) -> bool:
     return stroke.kind == "known" and stroke.link in motion.mechanism.links
 
 
+@pytest.mark.exhaustive(4)
 @in_every_language
 @everything
 def test_no_word_is_said_without_being_meant(name: str, code: str) -> None:

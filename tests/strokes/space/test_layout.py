@@ -63,6 +63,7 @@ def test_views_stand_apart_and_the_bar_has_room(length: float) -> None:
     assert middle == pytest.approx(upper.high.imag - 0.5 * height)
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("angle", [60.0, 200.0])
 @pytest.mark.parametrize("name", ["hooke-joint", "rssr", "spherical-four-bar", "spatial-four-bar"])
 def test_views_have_the_height_of_a_page_that_is_4_by_3(name: str, angle: float) -> None:
