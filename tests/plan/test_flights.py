@@ -21,7 +21,7 @@ from vad.page.parts import page_plan
 from vad.plan.format import screen
 from vad.plan.items import FLIGHT, Level
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
-from vad.plan.pictures.flights import ARCHES, EDGE, SEEN, SHORTEST_FLIGHT, Flight
+from vad.plan.pictures.flights import ARCHES, EDGE, SEEN, SMALL, Flight
 from vad.plan.pictures.lifts import LIFT, apart, beside, others
 from vad.plan.pictures.traces import crossings, strokes_at
 from vad.plan.pictures.vectors import HEAD, HEAD_SHARE, HEAD_WHOLE
@@ -407,7 +407,7 @@ def test_the_vector_of_the_crank_turns_about_its_pin():
 def test_a_vector_too_short_to_be_seen_flies_as_a_longer_one_and_shrinks_where_it_lands():
     """A lens then shows it.  One that is a little longer has its length before it flies."""
     found = {True: 0, False: 0}
-    for alpha in np.linspace(0.2, 12.0, 12):
+    for alpha in np.linspace(0.2, 40.0, 12):
         sheet = vad.draw(vad.solve(vad.SliderCrank(), alpha=float(alpha)))
         board, name = filmed(sheet), "acceleration:AB.tangential"
         (travel, _, marks), *_ = (each for each in shafts(board) if each[1].stroke == name)
@@ -417,7 +417,7 @@ def test_a_vector_too_short_to_be_seen_flies_as_a_longer_one_and_shrinks_where_i
         shaft = next(mark for mark in marks if mark.role == "vector")
         whole = sum(seconds) + last + LANDED
         tail, neck = ends(shaft, smooth(sum(seconds) / whole))
-        short = length < SHORTEST_FLIGHT
+        short = length < SMALL
         found[short] += 1
         if short:  # the phases of the flight and of the stretching have changed places
             tail, neck = ends(shaft, smooth((sum(seconds[:-1]) + last) / whole))

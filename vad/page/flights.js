@@ -8,8 +8,8 @@
 // seen. draw(flight, share) shows it at a share of its time, draw(null) none.
 
 // In units of a page 720 high: how far a copy of a vector lifts off, how long one is at least that turns, and
-// how short a vector is that is not seen as it flies.
-const LIFT = 28.8, SEEN = 64.8, SHORTEST = 7.2;
+// how short it becomes only where it lands.
+const LIFT = 28.8, SEEN = 64.8, SHRINKS = 25.2;
 // How high it flies, of its way; how much ink its traces have, and how long before the end they are gone.
 const ARCH = .08, GHOSTS = [.2, .28, .36], VANISHING = .92;
 // Of a head: its length, that of its side by it, how much of a short vector, where the shaft ends in it.
@@ -50,7 +50,7 @@ function flights(root) {
     const legs = [[tail.x, tail.y, size, turn]];
     if (lifts[kind]) legs.push([...place, seen, turn]);
     if (lifts[kind] !== lifts.normal) legs.push([...place, seen, tilt]);
-    const short = whole < SHORTEST * unit, last = area ? seen < 1 : short, [stretch, fly] = phases.slice(-2);
+    const short = whole < SHRINKS * unit, last = area ? seen < 1 : short, [stretch, fly] = phases.slice(-2);
     // A head that docks stays there.
     const [u, v] = way.map((each) => kind === "coriolis" ? (1 - seen) * each : 0);
     legs.push(last ? [start.x + u, start.y + v, seen, 0] : [...place, oblique, tilt], [start.x, start.y, 1, 0]);

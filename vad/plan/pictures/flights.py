@@ -33,9 +33,10 @@ from vad.strokes.travel import Travel
 
 #: A figure that is more often as large as its polygon, or as small, is not on the same page.
 MOST = 1e3
-#: A vector that is shorter on the page is not seen: nothing flies from there, and a copy becomes so
-#: short only where it lands.
+#: Nothing flies from a vector that is shorter on the page, as nobody would see it.
 SHORTEST_FLIGHT = 0.010
+#: A copy becomes shorter than this only where it lands.
+SMALL = 0.035
 #: How high it flies, of its way; higher only where it would cross words.
 ARCHES = (0.08, 0.20, 0.32)
 #: A copy that turns is at least so long.
@@ -208,7 +209,7 @@ class Flight:
         tails = (tail for each in polygon.items if each.stroke == stroke for tail in _tails(each))
         centre = next(tails, polygon.scale(travel.start))
         flight = cls(stroke, travel, polygon, during, index, source, figure, centre, *edges)
-        small = flight.seen < 1.0 if not flight.is_vector else length < SHORTEST_FLIGHT
+        small = flight.seen < 1.0 if not flight.is_vector else length < SMALL
         turns = travel.seen is not None
         last = small or turns or (flight.is_vector and not flight.has_room())
         return replace(flight, grows_last=last)
