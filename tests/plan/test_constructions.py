@@ -1,18 +1,100 @@
-"""The set square: wherever it slides, it is in its panel and its leg is at the pencil."""
+"""Constructions: where the set square slides, and where compass arcs and guides meet.
+
+Wherever the set square slides, it is in its panel and its leg is at the pencil.
+"""
 
 from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
+from functools import cache
+from itertools import combinations, pairwise
+from typing import Any
 
 import pytest
 
+import vad
+from tests.kinds import KINDS, SPACE
+from tests.plan.overlaps import planned
 from vad.plan.geometry import Rect
+from vad.plan.items import Item
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.marks import Polygon
+from vad.plan.marks import Bow, Mark, Polygon, Polyline
 from vad.plan.pictures.constructions import LONG_LEG, place_square
+from vad.plan.sketch import Sketch
+from vad.strokes.sheet import Block, Dot
 
 ROOM = Rect(0.0, 0.0, 0.56, 0.35)
+PIXEL = 1 / 720
+IN_THE_PLANE = [kind for kind in KINDS if kind not in SPACE.values()]
+in_the_plane = pytest.mark.parametrize("kind", IN_THE_PLANE, ids=lambda kind: kind.name)
+
+
+@cache
+def position(kind: Any) -> Sketch:
+    """Return all that is drawn of the mechanism alone, also what passes."""
+    return planned(vad.draw(vad.solve(kind()), panels="position")).sketches["position"]
+
+
+def marks(sketch: Sketch, role: str) -> Iterator[tuple[Item, Mark]]:
+    return ((item, mark) for item in sketch.items for mark in item.marks if mark.role == role)
+
+
+@pytest.mark.exhaustive
+@in_the_plane
+def test_the_pin_of_a_block_is_found_on_a_line_that_is_drawn(kind: Any):
+    """The ground line of a guide stands half a block away, so an axis shows where the pin moves."""
+    sketch = position(kind)
+    panel, found = sketch.setting.panel, set[complex]()
+    for stroke in panel.strokes:
+        if isinstance(stroke.shape, Dot) and stroke.kind == "intersection":
+            found.add(stroke.shape.at)
+    blocks = [s.shape for s in panel.strokes if isinstance(s.shape, Block) and not s.shape.on]
+    for block in (each for each in blocks if each.at in found and on_a_guide(sketch, each)):
+        at, index = sketch.scale(block.at), last_of(sketch, block.at)
+        axes = [m.shape for i, m in marks(sketch, "axis") if i.since <= sketch.setting.over(index)]
+        pieces = [piece for each in axes if isinstance(each, Polyline) for piece in each.pieces]
+        assert any(far(at, *piece) < PIXEL for piece in pieces), (kind.name, block)
+
+
+def on_a_guide(sketch: Sketch, block: Block) -> bool:
+    """Tell whether a block slides on a guide of the frame: not in the slot of a yoke."""
+    guides = {s.link for s in sketch.setting.panel.strokes if s.kind == "guide"}
+    return any(s.shape == block and s.link in guides for s in sketch.setting.panel.strokes)
+
+
+def last_of(sketch: Sketch, at: complex) -> int:
+    dots = enumerate(sketch.setting.panel.strokes)
+    return next(i for i, s in dots if isinstance(s.shape, Dot) and s.shape.at == at)
+
+
+def far(at: complex, start: complex, end: complex) -> float:
+    """Return how far a place is from a stretch."""
+    along = ((at - start) * (end - start).conjugate()).real / abs(end - start) ** 2
+    return abs(at - start - min(max(along, 0.0), 1.0) * (end - start))
+
+
+@pytest.mark.exhaustive
+@in_the_plane
+def test_compass_arcs_are_short_and_part_at_their_ends(kind: Any):
+    """Two that cross at a small angle could not be told apart if they were long or dashed."""
+    arcs = [mark.shape for _, mark in marks(position(kind), "compass arc")]
+    bows = [each for each in arcs if isinstance(each, Bow)]
+    assert len(bows) == len(arcs)
+    for bow in bows:
+        assert 0.5 * PIXEL < bow.radius * math.radians(abs(bow.sweep)) < 75 * PIXEL
+    for pair in combinations(bows, 2):
+        if abs(middle(pair[0]) - middle(pair[1])) < PIXEL:  # they find the same point
+            for one, other in (pair, pair[::-1]):
+                spots = list(pairwise(other.line()))
+                for at in (one.line()[0], one.line()[-1]):
+                    assert min(far(at, *each) for each in spots) > 4 * PIXEL, kind.name
+
+
+def middle(bow: Bow) -> complex:
+    """Return the middle of an arc: the point that it finds."""
+    return bow.centre + cmath.rect(bow.radius, math.radians(bow.start + bow.sweep / 2))
 
 
 @pytest.mark.parametrize("degrees", range(0, 360, 15))

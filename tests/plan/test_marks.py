@@ -28,7 +28,7 @@ from vad.plan.marks import (
     Trimming,
     Turning,
 )
-from vad.plan.pictures.constructions import HINGE, compass
+from vad.plan.pictures.compasses import HINGE, compass
 from vad.strokes.sheet import Arrow
 
 EVERY = pytest.mark.parametrize("scene", SCENES)

@@ -125,7 +125,9 @@ ROLES: dict[str, Role] = {
     # the polygons
     "vector": Role(line="row", width=VECTOR, linked=True),
     "vector light": _light(VECTOR),
+    "vector casing": Role(line="ground", width=1.9 * VECTOR),
     "whole": Role(line="row", width=WHOLE, linked=True),
+    "whole casing": Role(line="ground", width=2.2 * WHOLE),
     "whole light": _light(WHOLE),
     "head": Role(fill="row"),
     "break": Role(line="row", width=0.0032),
@@ -139,7 +141,7 @@ ROLES: dict[str, Role] = {
     "construction": Role(line="row", width=CONSTRUCTION, dash=(5.0, 3.2)),
     "construction light": _light(CONSTRUCTION),
     "construction done": Role(line="row", width=0.0022, dash=(7.0, 5.0), alpha=0.45),
-    "compass arc": Role(line="row", width=0.75 * CONSTRUCTION, dash=(6.7, 4.3)),
+    "compass arc": Role(line="row", width=0.6 * CONSTRUCTION),
     "right angle": Role(line="row", width=0.0022),
     "stub": Role(line="row", width=0.0022, alpha=0.7),
     # a turn

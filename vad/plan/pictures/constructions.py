@@ -1,30 +1,27 @@
-"""Constructions: lines and compass arcs with their names, right angles, set square and compass.
+"""Constructions: lines with their names, right angles, and the set square that draws them.
 
 Lines are visible until a result is inked over them.  The teacher's tools move with the pencil.
 """
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise, product
 
-from vad.plan.anchors import RIGHT, Anchor, Hung, Solved
-from vad.plan.geometry import SHORTEST, Rect
+from vad.plan.anchors import RIGHT, Anchor, Solved
+from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Level, Span, together
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import SIZE, SMALL_SIZE, add_tag
 from vad.plan.marks import (
-    Bow,
     Fading,
     Growth,
     Mark,
     Polyline,
     Sliding,
     Trimming,
-    Turning,
     area,
     disc,
     line,
@@ -33,7 +30,7 @@ from vad.plan.pictures.vectors import PlacedVector
 from vad.plan.reach import is_figure
 from vad.plan.roles import CONSTRUCTION
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Arc, Line, Panel
+from vad.strokes.sheet import Line, Panel
 
 OVERSHOOT = 0.06  # of a line, past its crossing
 STUB = 0.080
@@ -45,8 +42,6 @@ SHORT_LEG = math.tan(math.radians(30))  # of the long one
 SIZES = (1.0, 0.85, 0.7, 0.55, 0.4, 0.3)
 LEAD = 0.035
 WINDOW = 0.42
-HINGE = 0.012
-RISES = (1.0, 0.8, 0.6, 0.4)  # of the hinge, as shares of the best
 
 #: The growth of the name of a line: it appears when the pencil has passed it.
 COMING = Fading(((0.25, 0.0), (0.6, 1.0)))
@@ -68,25 +63,6 @@ class Ray:
         shape: Line = solved.shape(self.stroke)
         start, until = (solved.scale(z) + self.aside for z in (shape.through, shape.until))
         return Polyline(((start, construction_end(start, shape.direction, until, self.room)),))
-
-
-@dataclass(frozen=True, slots=True)
-class CompassArc:
-    """On what a compass arc hangs: its centre and its radius, which are solved.
-
-    With a room, only the part of the arc in the room is drawn, around the middle of the arc, which
-    the construction finds.  If the middle lies outside, the whole arc is drawn.
-    """
-
-    stroke: str
-    room: Rect | None = None
-
-    def posed(self, solved: Solved) -> Bow:
-        """Return the arc in a pose."""
-        shape: Arc = solved.shape(self.stroke)
-        scale = solved.scale
-        arc = Bow(scale(shape.centre), shape.radius * scale.factor, shape.start, shape.sweep)
-        return visible_part(arc, self.room) if self.room else arc
 
 
 @dataclass(frozen=True, slots=True)
@@ -401,100 +377,3 @@ def _sliding(corners: list[complex], way: complex, room: Rect) -> tuple[float, f
             elif not least <= at <= most:
                 return None
     return (low, high) if low <= high else None
-
-
-def compass(arc: Bow, row: int | None, obstacles: Obstacles) -> list[Mark]:
-    """Return a pair of compasses that turns about the centre of an arc, and the pencil in it.
-
-    Its hinge stays within the panel all the way: the legs open wider, where they must.  It comes
-    to rest on as few labels among the ``obstacles`` as can be.
-    """
-    tip = arc.curve()[-1]
-    span = abs(tip - arc.centre)
-    leg = max(0.17, 0.62 * span)
-    rise = math.sqrt(max(leg * leg - span * span / 4, 0.0))
-    up = 1j * (tip - arc.centre) / span if span > SHORTEST else 1j
-    if up.imag < 0:
-        up = -up
-    middle, inner = (arc.centre + tip) / 2, obstacles.edge.inside(HINGE)
-    hinges = [middle + part * rise * side for part in RISES for side in (up, -up)]
-    turns = [cmath.exp(-1j * math.radians(arc.sweep * part / 8)) for part in range(9)]
-    inside = [
-        spot
-        for spot in hinges
-        if all(inner.holds(arc.centre + (spot - arc.centre) * turn) for turn in turns)
-    ]
-
-    def crowd(spot: complex) -> int:
-        legs = (arc.centre, spot), (spot, tip)
-        return int((~obstacles.clear_of_labels(legs, HINGE)).sum())
-
-    hinge = min(inside, key=crowd, default=middle)
-    turning = Turning(arc.centre, ((0.0, -arc.sweep), (1.0, 0.0)))
-    return [
-        line([arc.centre, hinge, tip], "compass leg", growth=turning),
-        disc(hinge, HINGE, "compass hinge", growth=turning),
-        disc(tip, PENCIL, "pencil", row, turning),
-    ]
-
-
-def compass_arc(sketch: Sketch, index: int, visible: bool = True) -> Hung:
-    """Return a compass arc, of which the part is drawn that is ``visible`` in the room."""
-    setting = sketch.setting
-    stroke = setting.panel.strokes[index]
-    hangs = CompassArc(stroke.name, setting.room if visible else None)
-    return Hung(hangs, "compass arc", setting.row(stroke.link), Trimming())
-
-
-def add_compass_arc(sketch: Sketch, index: int) -> None:
-    """Add a compass arc, which goes when the mechanism is finished."""
-    sketch.hang(index, Level.CONSTRUCTION, [compass_arc(sketch, index)], until="end")
-
-
-def add_compass(sketch: Sketch, index: int, visible: bool = True) -> None:
-    """Add the compass that draws an arc, clear of the labels placed so far."""
-    setting, arc = sketch.setting, compass_arc(sketch, index, visible)
-    span, shape = (setting.during(index), setting.over(index)), arc.shape.posed(sketch.solved)
-    assert isinstance(shape, Bow)
-    marks = compass(shape, arc.row, sketch.obstacles.during(span))
-    sketch.add(setting.panel.strokes[index], Level.CONSTRUCTION, span[0], marks, span[1])
-
-
-def block_construction(sketch: Sketch, index: int) -> None:
-    """Add a construction to the obstacles of labels, for the time in which it is visible."""
-    setting = sketch.setting
-    span, stroke = (setting.during(index), setting.end), setting.panel.strokes[index]
-    if isinstance(stroke.shape, Arc) and stroke.kind == "construction":
-        arc = compass_arc(sketch, index).shape.posed(sketch.solved)
-        assert isinstance(arc, Bow)
-        sketch.obstacles.line(arc.line(), CONSTRUCTION / 2, span)
-    elif isinstance(stroke.shape, Line):
-        placed = line_of(sketch, index, {})
-        sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, span)
-
-
-def visible_part(arc: Bow, room: Rect) -> Bow:
-    """Return the stretch of a compass arc that lies in the panel.
-
-    That part is around the middle of the arc, which the construction finds.  If the middle lies
-    outside, it is the whole arc.
-    """
-    steps = 48
-    inside = [
-        room.holds(
-            arc.centre + cmath.rect(arc.radius, math.radians(arc.start + arc.sweep * i / steps)),
-            -0.01,
-        )
-        for i in range(steps + 1)
-    ]
-    middle = steps // 2
-    if not inside[middle]:
-        return arc
-    first = last = middle
-    # Each round goes back by one step.
-    while first > 0 and inside[first - 1]:
-        first -= 1
-    while last < steps and inside[last + 1]:  # each round goes on by one step
-        last += 1
-    start = arc.start + arc.sweep * first / steps
-    return Bow(arc.centre, arc.radius, start, arc.sweep * (last - first) / steps)

@@ -18,7 +18,8 @@ from vad.plan.labels.vertices import SMALL_SIZE, text_at
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Bow, Mark, Trimming, disc, line, lines
-from vad.plan.pictures.constructions import CompassArc, add_drawn_line, line_of
+from vad.plan.pictures.compasses import CompassArc
+from vad.plan.pictures.constructions import add_drawn_line, line_of
 from vad.plan.pictures.polygon import DOT
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, Vector
 from vad.plan.reach import is_figure, is_path

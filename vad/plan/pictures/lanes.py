@@ -1,13 +1,14 @@
 """Lanes for vectors on one line: they stand side by side, as on a road, so that none is covered.
 
-Their vertices stay where they are.
+Their vertices stay where they are.  Where two vectors leave a vertex at a small angle, the later
+one lies in a gap of the page's colour.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import accumulate, combinations, pairwise
 
 from vad.plan.geometry import direction_of
@@ -15,6 +16,8 @@ from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.vertices import COINCIDENT
 
 LANE = 1.6  # a lane's width, in pens: the heaviest of a style fits, too, and a gap
+LEVEL = 1e-9  # less is no slope
+ALONG = 0.35  # of a stroke lie on another one, if it runs along it and does not just begin there
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,13 +60,43 @@ class Pen:
 
     def covers(self, other: Pen) -> bool:
         """Tell whether another stroke lies on this one for a length that is seen."""
+        ends = self._beside(other)
+        return bool(ends) and all(abs(off) < (self.width + other.width) / 2 for _, off in ends)
+
+    def lies_along(self, other: Pen) -> float:
+        """Return for what length another stroke lies on this one, wholly or in part."""
+        ends = self._beside(other)
+        if not ends:
+            return 0.0
+        (low, first), (high, last) = ends
+        half, slope = (self.width + other.width) / 2, (last - first) / (high - low)
+        if abs(slope) < LEVEL:
+            return high - low if abs(first) < half else 0.0
+        edges = sorted(low + (side - first) / slope for side in (-half, half))
+        return max(0.0, min(high, edges[1]) - max(low, edges[0]))
+
+    def _beside(self, other: Pen) -> tuple[tuple[float, float], ...]:
+        """Return where both begin and end to run beside each other, and how far apart they are."""
         first, last = sorted(other.seen_from(self), key=lambda end: end.real)
         low, high = max(first.real, 0.0), min(last.real, abs(self.end - self.start))
         if high - low < COINCIDENT:
-            return False
+            return ()
         slope = (last.imag - first.imag) / (last.real - first.real)
-        off = (first.imag + slope * (along - first.real) for along in (low, high))
-        return all(abs(each) < (self.width + other.width) / 2 for each in off)
+        return tuple((at, first.imag + slope * (at - first.real)) for at in (low, high))
+
+
+def along_earlier(pens: Mapping[int, Pen], lanes: Mapping[int, Lane]) -> Iterator[int]:
+    """Yield the vectors that run along an earlier one, each in its lane, by their numbers.
+
+    Vectors that leave a vertex at a wider angle meet as lines do, and need no gap.
+    """
+    aside = {number: lanes.get(number, ALONE).aside for number in pens}
+    seen = {n: replace(p, start=p.start + aside[n], end=p.end + aside[n]) for n, p in pens.items()}
+    for number, pen in seen.items():
+        for other in (each for n, each in seen.items() if n < number):
+            if other.lies_along(pen) > ALONG * abs(pen.end - pen.start) > 0.0:
+                yield number
+                break
 
 
 def lanes(pens: Mapping[int, Pen]) -> dict[int, Lane]:

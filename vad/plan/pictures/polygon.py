@@ -17,12 +17,8 @@ from vad.plan.items import FOREVER, Level
 from vad.plan.labels.choices import PLACED, LabelChoice, ends_of
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.vertices import find_vertices, vertices_by_letter
-from vad.plan.pictures.constructions import (
-    add_compass_arc,
-    add_construction,
-    line_of,
-    name_construction,
-)
+from vad.plan.pictures.compasses import add_compass_arc
+from vad.plan.pictures.constructions import add_construction, line_of, name_construction
 from vad.plan.pictures.curves import add_path
 from vad.plan.pictures.inset import (
     SIZES,

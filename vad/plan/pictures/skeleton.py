@@ -16,23 +16,18 @@ from vad.plan.items import Level
 from vad.plan.labels.choices import PLACED, LabelChoice, MovingLabels
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import Vertex, find_vertices, vertices_by_letter
+from vad.plan.marks import Trimming
 from vad.plan.pictures import angles, machine, supports
 from vad.plan.pictures.angle_arcs import angle_arcs, bow_of, interrupted, with_angles
-from vad.plan.pictures.constructions import (
-    add_compass,
-    add_compass_arc,
-    add_construction,
-    add_drawn_line,
-    add_square,
-    block_construction,
-    line_of,
-)
+from vad.plan.pictures.compasses import add_compass, add_compass_arc, block_construction
+from vad.plan.pictures.constructions import add_construction, add_drawn_line, add_square, line_of
 from vad.plan.pictures.figures import add_figures, letter_figures
 from vad.plan.pictures.known_velocities import add_known_velocity
 from vad.plan.pictures.links import Links
 from vad.plan.pictures.loads import CALM, add_couple, add_load, calm_couples, free_couple
 from vad.plan.pictures.supports import Foot, PlacedRail, Rail
 from vad.plan.reach import is_curved_arrow, is_figure, is_load, is_yoke
+from vad.plan.roles import AXIS
 from vad.plan.scale import Scale
 from vad.plan.sketch import Piece, Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Stroke
@@ -257,6 +252,7 @@ class Skeleton:
         match stroke.shape:
             case Guide():
                 sketch.put(index, self._guide(sketch, index))
+                self._add_path(sketch, index)
             case Dot():
                 part = machine.joint if stroke.label in pins(panel) else machine.point
                 mark = part(Anchor.of(stroke.name, "at"), SWELLING, self.size)
@@ -337,6 +333,21 @@ class Skeleton:
                     yoke = supports.yoke_of(panel, stroke.link, self.size)
                     start, end = Solved(panel, self.scale).places((yoke.start, yoke.end))
                     yield start, end
+
+    def _add_path(self, sketch: Sketch, index: int) -> None:
+        """Add the line on which the pin of a guide's block moves, until all is constructed.
+
+        The ground line stands half a block beside it, so no arc meets the pin's place there.
+        """
+        setting, stroke = sketch.setting, sketch.setting.panel.strokes[index]
+        rail = self._placed(sketch, stroke) if stroke.name in self._rails else None
+        if rail is None or rail.axis:
+            return
+        known = supports.axes(setting.panel, sketch.solved, sketch.obstacles)
+        for ends in rail.uncovered(sketch.solved, [piece.blocks[0][0] for _, piece in known]):
+            sketch.hang(index, Level.CONSTRUCTION, [machine.axis(*ends, Trimming())], until="end")
+            span = setting.during(index), setting.end
+            sketch.obstacles.line(sketch.solved.places(ends), AXIS / 2, span)
 
     def _named_guides(self, sketch: Sketch) -> Iterator[Vertex]:
         """Yield the points of guides that bear a letter."""

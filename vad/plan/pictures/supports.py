@@ -234,6 +234,7 @@ class PlacedRail:
 
     ``foot`` is on the ground line, ``first`` and ``last`` are its ends from there, ``axis`` are
     those of the axis from the guide's own point; all in page units along the guide.
+    ``path`` are the ends of the line on which the pins of its blocks move, while it is constructed.
     """
 
     stroke: str
@@ -242,7 +243,27 @@ class PlacedRail:
     first: float
     last: float
     axis: tuple[float, float] | None
+    path: tuple[float, float]
     size: float
+
+    def line(self, start: float, end: float) -> tuple[Anchor, Anchor]:
+        """Return the ends of a stretch of the line on which the pins move."""
+        through, way = Anchor.of(self.stroke, "through"), Term(self.stroke)
+        return through + start * way, through + end * way
+
+    def uncovered(
+        self, solved: Solved, axes: Iterable[Sequence[Anchor]]
+    ) -> list[tuple[Anchor, Anchor]]:
+        """Return the stretches of its path on which none of some axes lies."""
+        through, way = solved.place(Anchor.of(self.stroke, "through")), solved.way(self.stroke)
+        stretches = [self.path]
+        for axis in axes:
+            ends = [(at - through) * way.conjugate() for at in solved.places(axis)]
+            if all(abs(end.imag) < PIXEL for end in ends):
+                low, high = sorted(end.real for end in ends)
+                cut = [((a, min(b, low)), (max(a, high), b)) for a, b in stretches]
+                stretches = [each for parts in cut for each in parts if each[1] - each[0] > PIXEL]
+        return [self.line(*each) for each in stretches]
 
     @property
     def piece(self) -> Piece:
@@ -255,8 +276,7 @@ class PlacedRail:
         away = thick * self.across * way
         blocks = [((start + away - 0.006 * way, end + away + 0.006 * way), thick + PIXEL)]
         if self.axis:
-            through = Anchor.of(self.stroke, "through")
-            ends = through + self.axis[0] * way, through + self.axis[1] * way
+            ends = self.line(*self.axis)
             marks.append(machine.axis(*ends, grows))
             blocks.append((ends, AXIS / 2))
         return Piece((Part(Level.GROUND, tuple(marks)),), tuple(blocks))
@@ -275,7 +295,8 @@ def placed_rail(
     low, high = factor * rail.low, factor * rail.high
     side = machine.BLOCK[1] / 2 * size * rail.across
     stands = low == high
-    foot = through + (side + (low if stands else 0.0)) * Term(stroke.name)
+    shift = low if stands else 0.0
+    foot = through + (side + shift) * Term(stroke.name)
     least, most = setting.room.stretch(solved.place(foot), shape.direction, EDGE)
     if stands:
         half = machine.GUIDE_LENGTH / 2 * size
@@ -291,7 +312,8 @@ def placed_rail(
         ends = min(0.0, first), max(0.0, last)
     at = solved.place(through)
     named = any(abs(pole - at) < PIXEL for pole in _poles(setting.panel, solved.scale))
-    return PlacedRail(stroke.name, rail.across, foot, first, last, ends if named else None, size)
+    axis, path = ends if named else None, (first + shift, last + shift)
+    return PlacedRail(stroke.name, rail.across, foot, first, last, axis, path, size)
 
 
 def _poles(panel: Panel, scale: Scale) -> list[complex]:

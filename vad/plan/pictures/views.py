@@ -36,15 +36,8 @@ from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Bow, Mark, Scaling, Trimming, lines
 from vad.plan.pictures import angles, machine
 from vad.plan.pictures.angle_arcs import LINE
-from vad.plan.pictures.constructions import (
-    CompassArc,
-    add_compass,
-    add_construction,
-    add_square,
-    compass_arc,
-    line_of,
-    name_construction,
-)
+from vad.plan.pictures.compasses import CompassArc, add_compass, compass_arc
+from vad.plan.pictures.constructions import add_construction, add_square, line_of, name_construction
 from vad.plan.pictures.curves import add_curve, bearing, bow_of
 from vad.plan.pictures.links import block_piece
 from vad.plan.pictures.skeleton import GRIP
