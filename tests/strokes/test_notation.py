@@ -95,7 +95,7 @@ def test_a_given_value_has_the_digits_that_a_calculation_needs_wherever_it_stand
     ("code", "name", "sentence"),
     [
         ("de", "AB.bar", "Die Kurbel AB = 60 mm steht bei 60,5°."),
-        ("de", "AB.angle", "Der Winkel zählt von x aus gegen den Uhrzeigersinn."),
+        ("de", "AB.angle", "Winkel zählen von x aus gegen den Uhrzeigersinn."),
         ("de", "BC.bar", "Die Stange BC steht bei θ₃ = 338,1°."),
         ("de", "DC.block", "Der Schieber C steht bei x = 159,4 mm."),
         ("fr", "AB.bar", "La manivelle AB = 60 mm fait un angle de 60,5° avec l’axe x."),

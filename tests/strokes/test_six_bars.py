@@ -260,7 +260,7 @@ def captions(name: str, panel: str = "position") -> str:
 
 def test_a_rod_through_a_fixed_block_is_found_by_a_line_not_by_its_unknown_length():
     said = captions("trunnion.toml")
-    assert "The rod from B passes through D. Q is the point of the rod under D" in said
+    assert "The rod from B passes through D. Q is the point of the rod that is now under D" in said
     assert "circle" not in said
 
 

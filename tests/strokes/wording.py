@@ -80,7 +80,7 @@ WORDING = {
         carried=re.compile(r"(?:on|in) the (?P<carrier>\w+) the \w+ [A-Z] can move no other way"),
         guide=re.compile("guide(?: of (?P<head>[A-Z]))?$"),
         slot="slot",
-        other_side="on the other side",
+        other_side="beyond",
     ),
     "de": Wording(
         ways={"nach rechts": 1, "nach links": -1, "nach oben": 1j, "nach unten": -1j},
@@ -103,7 +103,7 @@ WORDING = {
         carried=re.compile(r"(?:auf der|im) (?P<carrier>\w+) kann der \w+ [A-Z] nur so gleiten"),
         guide=re.compile("Führung(?: von (?P<head>[A-Z]))?$"),
         slot="Schlitz",
-        other_side="auf der anderen Seite",
+        other_side="jenseits von",
     ),
     "fr": Wording(
         ways={"vers la droite": 1, "vers la gauche": -1, "vers le haut": 1j, "vers le bas": -1j},
@@ -131,6 +131,6 @@ WORDING = {
         ),
         guide=re.compile("glissière(?: de (?P<head>[A-Z]))?$"),
         slot="rainure",
-        other_side="de l’autre côté",
+        other_side="au-delà de",
     ),
 }

@@ -89,7 +89,7 @@ def test_ten_phrases_are_a_language(captions: list[str], tmp_path: Path) -> None
     assert "La manivela AB = 40 mm forma un ángulo de 60° con el eje x." in captions
     assert "c está donde se cortan las dos rectas." in captions
     assert "El polo: los puntos fijos no tienen velocidad, así que a y d están aquí." in captions
-    assert "The angle counts counter-clockwise from x." in captions
+    assert "Angles are measured counter-clockwise from x." in captions
     space = json.loads((tmp_path / "space.json").read_text("utf-8"))
     views = space["panels"]["position"]
     assert "Los ejes 2 y 4 se cortan en O a 30°." in [each["caption"] for each in views["strokes"]]

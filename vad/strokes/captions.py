@@ -258,6 +258,7 @@ class Captions(PolygonCaptions[StepVector]):
             "image against" if against else "image",
             product("own", "known", "size", "length"),
             letter=image_letter(bar.head, self.order),
+            tail=image_letter(bar.tail, self.order),
             image=self.say(f"image {self.panel}"),
             link=Noun(bar.link),
             part=part,

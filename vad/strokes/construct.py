@@ -15,7 +15,7 @@ from vad.strokes.force_loads import loads_at_points
 from vad.strokes.inking import PositionPencil
 from vad.strokes.loops import position_equation
 from vad.strokes.scene import Scene
-from vad.strokes.sentences import Noun, SentencePart, Unit
+from vad.strokes.sentences import Listed, Noun, SentencePart, Unit
 from vad.strokes.sheet import Arc, Dot, Guide, Line
 
 #: A compass arc reaches so many degrees to either side of the point that it finds.
@@ -74,7 +74,12 @@ class FurtherPoints:
             span = self.scene.span(centre, point)
             size = self.scene.measured(span, self.scene.unit)
             self.arc(Bar(centre + point, link, span), centre, point, size)
-        parts: dict[str, SentencePart] = {"letter": point, "corners": base.ends + point}
+        one, other, third = corners = base.tail, base.head, point
+        start = self.scene.at(one)
+        turn = (self.scene.at(other) - start).conjugate() * (self.scene.at(third) - start)
+        sense = self.scene.say("counter-clockwise" if turn.imag > 0 else "clockwise")
+        parts: dict[str, SentencePart] = {"letter": point, "sense": sense}
+        parts["corners"] = Listed(corners, ", ")
         at = Dot(self.scene.at(point))
         self.ink.draw(point, "found", "intersection", point, at, "third point", parts)
         self.found.add(point)

@@ -101,7 +101,7 @@ PHRASES = {
         "{slide:Der} {head} steht bei {symbol} = {value} {unit} auf seiner Führung, von {tail} aus "
         "gemessen."
     ),
-    "angle": "Der Winkel zählt von *x* aus gegen den Uhrzeigersinn.",
+    "angle": "Winkel zählen von *x* aus gegen den Uhrzeigersinn.",
     "compass": "{head} liegt auf dem Kreis um {tail}, Radius {bar} = {size} {unit}.",
     "compass strut": (
         "{head} liegt auf dem Kreis um {tail}, Radius {bar} = {size} {unit}, der gegebenen Länge "
@@ -122,14 +122,14 @@ PHRASES = {
         "gemessen, der {tail} am nächsten ist."
     ),
     "plate": "{link:Der} ist der starre Körper {corners}.",
-    "third point": "{letter} ist der Schnittpunkt der Bögen: {corners} behält seinen Umlaufsinn.",
+    "third point": "{letter} ist der Schnittpunkt der Bögen, mit {corners} {sense}.",
     "on link slot": "{letter} ist der Schnittpunkt des Bogens mit der Geraden des Schlitzes.",
     "in slot": "{head} liegt auf der Geraden des Schlitzes {link:des}.",
     "tip": "{letter} liegt auf {link:dem}, {size} {unit} von {tail}.",
-    "tip against": "{letter} liegt auf {link:dem}, {size} {unit} von {tail} auf der anderen Seite.",
+    "tip against": "{letter} liegt auf {link:dem}, {size} {unit} jenseits von {tail}.",
     # Polygone
-    "pole velocity": "Der Pol: die festen Punkte {letters} haben keine Geschwindigkeit.",
-    "pole acceleration": "Der Pol: die festen Punkte {letters} haben keine Beschleunigung.",
+    "pole velocity": "Der Pol: hier liegen {letters}, denn feste Punkte ruhen.",
+    "pole acceleration": "Der Pol: hier liegen {letters}, denn feste Punkte beschleunigen nicht.",
     "pole velocity one": (
         "Der Pol: der feste Punkt {point} hat keine Geschwindigkeit, also liegt {letters} hier."
     ),
@@ -178,7 +178,7 @@ PHRASES = {
         "{meeting} darauf."
     ),
     "across acceleration": (
-        "⟂ {bar} durch {point}: nur die Richtung ist bekannt, also liegt {meeting} darauf."
+        "⟂ {bar} durch {point}, Richtung von {alpha}·{bar}: {meeting} liegt darauf."
     ),
     "along velocity": (
         "∥ {line} durch {point}: anders kann sich {slide:der} {head} nicht bewegen, also liegt "
@@ -193,7 +193,7 @@ PHRASES = {
         "{meeting} darauf."
     ),
     "along acceleration": (
-        "∥ {line} durch {point}: nur die Richtung ist bekannt, also liegt {meeting} darauf."
+        "∥ {line} durch {point}, Richtung der Gleitbeschleunigung: {meeting} liegt darauf."
     ),
     "crossing": "{letter} ist der Schnittpunkt der Geraden.",
     "crossing zero": "{letter} ist der Schnittpunkt der Geraden: {found}.",
@@ -219,7 +219,8 @@ PHRASES = {
         "{rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way}: {slide:der} {head} hat {symbol} = {rate} {unit}."
+        "{label} = {value} {unit}, {way}: längs {line:des} hat {slide:der} {head} {symbol} = "
+        "{rate} {unit}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
     "image velocity": "dem Geschwindigkeitsbild",
@@ -229,7 +230,7 @@ PHRASES = {
         "{size}/{length} = {own} {unit}{also}."
     ),
     "image against": (
-        "{letter} aus {image} {link:des}, auf der anderen Seite: {part} = {whole}·{bar}/{base} = "
+        "{letter} aus {image} {link:des}, jenseits von {tail}: {part} = {whole}·{bar}/{base} = "
         "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image similar": (
@@ -335,7 +336,7 @@ PHRASES = {
         "{rocker}°, als Strecke zu sehen."
     ),
     "spherical bars": (
-        "Die Koppel *BC* steht in *B* bei {b}° und in *C* bei {c}°; *DC* ist die Schwinge."
+        "Die Koppel *BC* steht bei *θ_B* = {b}° zur Kurbel, bei *θ_C* = {c}° zur Schwinge *DC*."
     ),
     "spherical rocker angle": (
         "Längs *OD* gesehen steht die Schwinge bei {symbol} = {angle}°, vom verlängerten Bogen "
@@ -350,13 +351,13 @@ PHRASES = {
     "bodies remark": (
         "Dreieck 1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, ins Blatt umgeklappt"
     ),
-    "bodies pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
-    "bodies pole acceleration": "Der Pol: das Gestell, 1′.",
+    "bodies pole velocity": "Der Pol ist Körper 1, das Gestell, das sich nicht dreht.",
+    "bodies pole acceleration": "Der Pol ist 1′, das Gestell.",
     "bodies pole acceleration steady": (
-        "Der Pol: das Gestell, 1′, und 2′, denn *α₂* = {value} ist gegeben."
+        "Der Pol ist 1′, das Gestell, und auch 2′, denn *α₂* = {value} ist gegeben."
     ),
-    "bodies given": "{symbol} = {value} {unit}, längs {axis}.",
-    "bodies measured": "{symbol} = {value} {unit}.",
+    "bodies given": "{symbol} = {value} {unit}, für Körper 2 gegeben, längs {axis}.",
+    "bodies measured": "{symbol} = {value} {unit}, längs {axis}.",
     "bodies whole": "{symbol} = {value} {unit}, von {tail} nach {head}.",
     "bodies turned frame": (
         "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, das "
@@ -367,21 +368,24 @@ PHRASES = {
         "dreht sich hier mit *τ̇₃*: *ω₃* ⟂ *OI* im Gestell."
     ),
     "bodies line 24 velocity": (
-        "∥ *OI* durch {point}, denn um *OI* dreht sich die Schwinge relativ zur Kurbel"
+        "∥ *OI* durch {point}, denn um *OI* dreht sich die Schwinge, 4, relativ zur Kurbel"
     ),
-    "bodies line 14 velocity": "∥ *OD* durch {point}, denn sie dreht sich um *OD*",
+    "bodies line 14 velocity": "∥ *OD* durch {point}, denn im Gestell dreht sie sich um *OD*",
     "bodies line 23 velocity": (
-        "∥ *OB* durch {point}, {arc}° von *OI*, Achse der Koppel an der Kurbel"
+        "∥ *OB* durch {point}, {arc}° von *OI*, Achse der Koppel, 3, an der Kurbel"
     ),
     "bodies line 43 velocity": (
         "∥ *OC* durch {point}, {arc}° von *OI*, ihre Achse an der Schwinge"
     ),
-    "bodies line 24 acceleration": "∥ *OI* durch {point}, für *α₄₂ₜ*",
-    "bodies line 14 acceleration": "∥ *OD* durch {point}, für *α₄*",
-    "bodies line 23 acceleration": "∥ *OB* durch {point}, {arc}° von *OI*, für *α₃₂*",
-    "bodies line 43 acceleration": "∥ *OC* durch {point}, {arc}° von *OI*, für *α₃₄*",
+    "bodies line 24 acceleration": (
+        "∥ *OI* durch {point}, die Richtung von *α₄₂ₜ*, dem anderen Teil von *α₄₂*"
+    ),
+    "bodies line 14 acceleration": "∥ *OD* durch {point}, die von *α₄*",
+    "bodies line 23 acceleration": "∥ *OB* durch {point}, {arc}° von *OI*, die Richtung von *α₃₂*",
+    "bodies line 43 acceleration": "∥ *OC* durch {point}, {arc}° von *OI*, die von *α₃₄*",
     "bodies fold": (
-        "Die Koppelebene wird um *OI* ins Blatt umgeklappt: dort sind *OB* und *OC* unverzerrt."
+        "Die Koppelebene wird um *OI* ins Blatt umgeklappt: dort haben *OB* und *OC* ihre wahre "
+        "Richtung."
     ),
     "bodies fold again": "Wieder wird diese Ebene um *OI* ins Blatt umgeklappt.",
     "bodies sines": (
@@ -513,8 +517,8 @@ PHRASES = {
         "ein Arm des Kreuzes."
     ),
     "hooke ellipse": (
-        "*Q*, der Zapfen von Gabel 4, läuft um Welle 4: sein Kreis erscheint als Ellipse, in der "
-        "Breite mal cos {angle}°."
+        "*Q*, der Zapfen von Gabel 4, läuft um Welle 4: sein Kreis erscheint als Ellipse, schmaler "
+        "um den Faktor cos {angle}°."
     ),
     "hooke Q": (
         "*OP* liegt im Blatt, also erscheint sein rechter Winkel mit *OQ* unverzerrt: diese "
@@ -528,8 +532,8 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "*P*, *Q* und die Gabeln stehen senkrecht darunter; Kreuz 3 schwenkt um *ψ_P* = {at_p}° "
-        "um *P*, um *ψ_Q* = {at_q}° um *Q*."
+        "*P*, *Q* und die Gabeln stehen senkrecht darunter; das Kreuz, 3, ist um *ψ_P* = {at_p}° "
+        "um *OP*, um *ψ_Q* = {at_q}° um *OQ* gedreht."
     ),
     "hooke T": "Die Gerade durch {one} und {other} trifft die Ebene der Wellen in *T*.",
     "hooke other end": "das andere Ende von *O*{pin}",
@@ -551,11 +555,13 @@ PHRASES = {
         "∥ *OP* durch {point}, denn um *OP* dreht sich das Kreuz in Gabel 2"
     ),
     "hooke line 43 velocity": "∥ *OQ* durch {point}, denn um *OQ* dreht es sich in Gabel 4",
-    "hooke line 24 acceleration": "∥ *OT* durch {point}, für *α₄₂ₜ*",
-    "hooke line 14 acceleration": "∥ Welle 4 durch {point}, für *α₄*",
+    "hooke line 24 acceleration": (
+        "∥ *OT* durch {point}, die Richtung von *α₄₂ₜ*, dem anderen Teil von *α₄₂*"
+    ),
+    "hooke line 14 acceleration": "∥ Welle 4 durch {point}, die von *α₄*",
     "hooke fold": (
-        "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt: dort sind *OP* und "
-        "*OQ* unverzerrt."
+        "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt: dort haben *OP* und *OQ* "
+        "ihre wahre Richtung."
     ),
     "hooke turned frame": (
         "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, das "
@@ -731,47 +737,50 @@ PHRASES = {
     "force whole": (
         "{label} = √({known}² + {found}²) = {value} {unit}: die Kraft {one:des} {other:am}."
     ),
-    "turning measured": "{label} = {symbol} = {value} {unit}.",
+    "turning measured": "{label} = {symbol} = {value} {unit}, längs {axis}.",
     # --- das räumliche Gelenkviereck
     # Lage
     "spatial star": "längs *DA*",
-    "spatial rose": "längs *OA*",
+    "spatial rose": "längs der Achse von *A*",
     "spatial frame": (
-        "*AD* = {size} {unit} ist die gemeinsame Normale der festen Achsen *a* und *d* "
-        "({twist}°); die Schwinge gleitet auch auf *d*."
+        "*AD* = {size} {unit} ist die gemeinsame Normale der festen Achsen in *A* und *D*, die "
+        "sich unter {twist}° kreuzen; auf der in *D* gleitet die Schwinge auch."
     ),
     "spatial crank": (
-        "Die Kurbel *AB* = {size} {unit} steht bei {angle}° von *AD*, längs *OA* gesehen."
+        "Die Kurbel *AB* = {size} {unit} steht bei {angle}° von *AD*, längs ihrer Achse gesehen."
     ),
     "spatial b": (
-        "Ihre Achse in *B* ist ⟂ *AB*, {twist}° von *a*; auf ihr dreht sich und gleitet die Koppel."
+        "In *B* trägt sie eine Achse ⟂ *AB*, {twist}° von ihrer eigenen: auf ihr dreht sich und "
+        "gleitet die Koppel."
     ),
     "spatial directions": (
-        "Die Richtungen sind die des sphärischen Viergelenks mit diesen Winkeln als Bögen; *OI* "
-        "liegt bei *τ* = {tau}° von *OA*."
+        "Von einem Punkt *O* aus sind *OA* und *OD* parallel zu den Achsen; *OI* bei *τ* = {tau}° "
+        "von *OA* folgt aus dem sphärischen Viergelenk mit diesen Winkeln als Bögen."
     ),
     "spatial slides": (
-        "Drei Längen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
+        "Drei Schiebungen längs der Achsen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = "
+        "{d} {unit}."
     ),
     "spatial bars": (
         "Die Koppel *BC* = {coupler} {unit} und die Schwinge *DC* = {rocker} {unit} bei *θ₄* = "
         "{theta}°."
     ),
     "spatial H": (
-        "Relativ zur Kurbel dreht sich die Schwinge um *I* und gleitet längs *I*; *AH* = "
-        "{height} {unit}."
+        "Relativ zur Kurbel dreht sich die Schwinge um die Achse *I* ∥ *OI* und gleitet längs ihr; "
+        "*I* schneidet die Gerade *AD* in *H*, *AH* = {height} {unit}."
     ),
     # die unteren Polygone
     "spatial pole velocity": (
-        "Nun *A* als Punkt der Schwinge; *A* und *D* des Gestells liegen im Pol."
+        "Unten: die Geschwindigkeit von *A* als Punkt der Schwinge, *a₄*; *a* und *d* des Gestells "
+        "liegen im Pol."
     ),
-    "spatial pole acceleration": "Wieder *A* als Punkt der Schwinge.",
+    "spatial pole acceleration": "Unten: die Beschleunigung von *A* als Punkt der Schwinge, *a′₄*.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich um *I*."
     ),
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: auch "
-        "*I* bewegt sich."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *AH* "
+        "wächst mit *ḣ*, und *OI* dreht sich mit *τ̇*."
     ),
     "spatial about D": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* dreht sich "
@@ -785,24 +794,26 @@ PHRASES = {
     "balls behind": "hinter",
     "balls crank": (
         "Unten, längs der Achse von *A* gesehen: die Kurbel *AB* = {size} {unit} steht bei "
-        "{angle}° vom gemeinsamen Lot."
+        "{angle}° vom gemeinsamen Lot beider Achsen."
     ),
     "balls path of C": (
         "Oben, längs der Achse von *D* gesehen: *C* läuft auf diesem Kreis mit *DC* = {size} "
         "{unit}."
     ),
-    "balls front": "*A* und *B* stehen in dieser Ansicht senkrecht darüber.",
+    "balls front": (
+        "In dieser Ansicht stehen *A* und *B* senkrecht über ihren Orten in der unteren."
+    ),
     "balls compass": (
         "*B* steht {height} {unit} {side} der Ebene dieses Kreises: hier ist *BC* = √({size}² − "
         "{height}²) = {reach} {unit} lang."
     ),
     "balls C": (
-        "Beide Kreise schneiden sich in *C*: die Koppel *BC* und die Schwinge *DC* bei {theta} = "
-        "{angle}° vom gemeinsamen Lot."
+        "In *C* schneiden sich beide Kreise: *BC* ist die Koppel; die Schwinge *DC* steht bei "
+        "{theta} = {angle}° vom gemeinsamen Lot."
     ),
     "balls top": "Senkrecht darunter ergänzt *C* Koppel und Schwinge in der unteren Ansicht.",
     "balls third": (
-        "Rechts eine Ansicht senkrecht zu *BC* und zur Bahn von *C*: beide haben die wahre Länge."
+        "Rechts zeigt eine Ansicht senkrecht zu *BC* und zur Bahn von *C* beide in wahrer Länge."
     ),
     "balls lines": (
         "Die Ebene durch *B* senkrecht zu *BC* erscheint dort als Gerade; *C* bewegt sich "
@@ -815,36 +826,40 @@ PHRASES = {
     "balls path": "Bahn von *C*",
     "balls remark": "gezeichnet in der Ansicht rechts; die Koppel dreht sich nicht um *BC*",
     "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; hier {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; diese Ansicht "
+        "zeigt davon {seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; hier {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; diese Ansicht "
+        "zeigt davon {seen} {unit}."
     ),
     "balls normal": (
         "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}; "
-        "hier {seen} {unit}."
+        "diese Ansicht zeigt davon {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}, von *C* nach *B*: "
-        "Relativgeschwindigkeit zum Quadrat durch *BC*."
+        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, von *C* nach *B*, in wahrer "
+        "Länge."
     ),
     "balls line BC velocity": "⟂ *BC* durch {point}, denn *BC* behält seine Länge",
     "balls line DC velocity": "∥ Bahn von *C* durch {point}, denn auf ihr läuft *C*",
-    "balls line BC acceleration": "⟂ *BC* durch {point}, für den Anteil von *α₃*",
-    "balls line DC acceleration": "∥ Bahn von *C* durch {point}, für den von {symbol}",
+    "balls line BC acceleration": (
+        "⟂ *BC* durch {point}, die Richtung von {symbol}·*BC* in dieser Ansicht"
+    ),
+    "balls line DC acceleration": "∥ Bahn von *C* durch {point}, die von {symbol}·*DC*",
     "balls coupler velocity": (
-        "{label} = {value} {unit} hier und {off} {unit} senkrecht zum Blatt, zusammen {symbol} = "
-        "{whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} in dieser Ansicht und {off} {unit} senkrecht dazu, zusammen "
+        "{whole} {unit}: {symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} hier und {off} {unit} senkrecht zum Blatt, zusammen {symbol} = "
-        "{whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} in dieser Ansicht und {off} {unit} senkrecht dazu, zusammen "
+        "{whole} {unit}: {symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} hier.",
+    "balls whole": "{label} = {value} {unit} in dieser Ansicht.",
     # Bilder und Tabellen von Läufen, und Kennwerte
     "angle of the driver": "Winkel {link:des}",
     "position of the driver": "Lage {link:des}",

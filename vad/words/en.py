@@ -109,7 +109,7 @@ PHRASES = {
     "driven slide from": (
         "The {slide} {head} stands at {symbol} = {value} {unit} on its guide, measured from {tail}."
     ),
-    "angle": "The angle counts counter-clockwise from *x*.",
+    "angle": "Angles are measured counter-clockwise from *x*.",
     "compass": "{head} lies on the circle about {tail}, radius {bar} = {size} {unit}.",
     "compass strut": (
         "{head} lies on the circle about {tail}, radius {bar} = {size} {unit}, the length of "
@@ -121,7 +121,7 @@ PHRASES = {
     "arcs cross": "{letter} is where both arcs cross.",
     "on guide": "{letter} is where the arc meets the guide.",
     "on slot": "{letter} is where the line of the slot meets the guide.",
-    "on lever": "{letter} is the point of the {link} under {pin} in this pose.",
+    "on lever": "{letter} is the point of the {link} that is now under {pin}.",
     "bar": "The {link} {bar} stands at {symbol} = {angle}°.",
     "block": "The {slide} {head} stands at {symbol} = {value} {unit}.",
     "block from": "The {slide} {head} stands at {symbol} = {value} {unit}, measured from {tail}.",
@@ -130,11 +130,11 @@ PHRASES = {
         "point nearest to {tail}."
     ),
     "plate": "The {link} is one rigid piece with the corners {corners}.",
-    "third point": "{letter} is where both arcs cross: {corners} keeps its sense.",
+    "third point": "{letter} is where both arcs cross, with {corners} {sense}.",
     "on link slot": "{letter} is where the arc meets the line of the slot.",
     "in slot": "{head} lies on the line of the slot of the {link}.",
     "tip": "{letter} lies on the {link}, {size} {unit} from {tail}.",
-    "tip against": "{letter} lies on the {link}, {size} {unit} from {tail} on the other side.",
+    "tip against": "{letter} lies on the {link}, {size} {unit} beyond {tail}.",
     # polygons
     "pole velocity": "The pole: fixed points have no velocity, so {letters} lie here.",
     "pole acceleration": "The pole: fixed points have no acceleration, so {letters} lie here.",
@@ -186,7 +186,7 @@ PHRASES = {
         "{meeting} lies on it."
     ),
     "across acceleration": (
-        "⟂ {bar} through {point}: only its direction is known, so {meeting} lies on it."
+        "⟂ {bar} through {point}: {alpha}·{bar} has this direction, so {meeting} lies on it."
     ),
     "along velocity": (
         "∥ {line} through {point}: the {slide} {head} can move no other way, so {meeting} lies on "
@@ -201,7 +201,8 @@ PHRASES = {
         "{meeting} lies on it."
     ),
     "along acceleration": (
-        "∥ {line} through {point}: only its direction is known, so {meeting} lies on it."
+        "∥ {line} through {point}: the sliding acceleration has this direction, so {meeting} lies "
+        "on it."
     ),
     "crossing": "{letter} is where both lines cross.",
     "crossing zero": "{letter} is where both lines cross: {found}.",
@@ -227,7 +228,8 @@ PHRASES = {
         "{rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way}: the {slide} {head} has {symbol} = {rate} {unit}."
+        "{label} = {value} {unit}, {way}: along the {line} the {slide} {head} has {symbol} = "
+        "{rate} {unit}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
     "image velocity": "the velocity image",
@@ -237,8 +239,8 @@ PHRASES = {
         "{size}/{length} = {own} {unit}{also}."
     ),
     "image against": (
-        "{letter} by {image} of the {link}, on the other side: {part} = {whole}·{bar}/{base} = "
-        "{known} × {size}/{length} = {own} {unit}{also}."
+        "{letter} by {image} of the {link}, beyond {tail}: {part} = {whole}·{bar}/{base} = {known} "
+        "× {size}/{length} = {own} {unit}{also}."
     ),
     "image similar": (
         "{letter} by {image} of the {link}: {triangle} is directly similar to {corners}: "
@@ -334,7 +336,7 @@ PHRASES = {
         "*DC* = {rocker}°, seen as a line."
     ),
     "spherical bars": (
-        "The coupler *BC* stands at {b}° at *B* and at {c}° at *C*; *DC* is the rocker."
+        "The coupler *BC* stands at *θ_B* = {b}° to the crank, at *θ_C* = {c}° to the rocker *DC*."
     ),
     "spherical rocker angle": (
         "Seen along *OD*, the rocker stands at {symbol} = {angle}° from the arc *AD*, produced "
@@ -350,13 +352,13 @@ PHRASES = {
         "Triangle 1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into "
         "the paper"
     ),
-    "bodies pole velocity": "The pole: the frame, 1, does not turn.",
-    "bodies pole acceleration": "The pole: the frame, 1′.",
+    "bodies pole velocity": "The pole is body 1, the frame, which does not turn.",
+    "bodies pole acceleration": "The pole is 1′, the frame.",
     "bodies pole acceleration steady": (
-        "The pole: the frame, 1′, and 2′, as *α₂* = {value} is given."
+        "The pole is 1′, the frame, and 2′, too, as *α₂* = {value} is given."
     ),
-    "bodies given": "{symbol} = {value} {unit}, along {axis}.",
-    "bodies measured": "{symbol} = {value} {unit}.",
+    "bodies given": "{symbol} = {value} {unit}, given for body 2, along {axis}.",
+    "bodies measured": "{symbol} = {value} {unit}, along {axis}.",
     "bodies whole": "{symbol} = {value} {unit}, from {tail} to {head}.",
     "bodies turned frame": (
         "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, which "
@@ -367,20 +369,24 @@ PHRASES = {
         "turns here at *τ̇₃*, from *ω₃* ⟂ *OI* in the frame."
     ),
     "bodies line 24 velocity": (
-        "∥ *OI* through {point}, as the rocker turns about *OI* relative to the crank"
+        "∥ *OI* through {point}, as the rocker, 4, turns about *OI* relative to the crank"
     ),
-    "bodies line 14 velocity": "∥ *OD* through {point}, as it turns about *OD*",
+    "bodies line 14 velocity": "∥ *OD* through {point}, as it turns about *OD* in the frame",
     "bodies line 23 velocity": (
-        "∥ *OB* through {point}, {arc}° from *OI*, the axis of the coupler on the crank"
+        "∥ *OB* through {point}, {arc}° from *OI*, the axis of the coupler, 3, on the crank"
     ),
     "bodies line 43 velocity": "∥ *OC* through {point}, {arc}° from *OI*, its axis on the rocker",
-    "bodies line 24 acceleration": "∥ *OI* through {point}, for *α₄₂ₜ*",
-    "bodies line 14 acceleration": "∥ *OD* through {point}, for *α₄*",
-    "bodies line 23 acceleration": ("∥ *OB* through {point}, {arc}° from *OI*, for *α₃₂*"),
-    "bodies line 43 acceleration": "∥ *OC* through {point}, {arc}° from *OI*, for *α₃₄*",
+    "bodies line 24 acceleration": (
+        "∥ *OI* through {point}, the direction of *α₄₂ₜ*, the other part of *α₄₂*"
+    ),
+    "bodies line 14 acceleration": "∥ *OD* through {point}, that of *α₄*",
+    "bodies line 23 acceleration": (
+        "∥ *OB* through {point}, {arc}° from *OI*, the direction of *α₃₂*"
+    ),
+    "bodies line 43 acceleration": "∥ *OC* through {point}, {arc}° from *OI*, that of *α₃₄*",
     "bodies fold": (
-        "The plane of the coupler is turned about *OI* into the paper: *OB* and *OC* are true "
-        "there."
+        "The plane of the coupler is turned about *OI* into the paper: there *OB* and *OC* have "
+        "their true directions."
     ),
     "bodies fold again": "Again this plane is turned about *OI* into the paper.",
     "bodies sines": (
@@ -464,7 +470,7 @@ PHRASES = {
         "What is left unbalanced to and fro pulls along the track: the tractive force changes."
     ),
     "traction couples": (
-        "It sways the locomotive about its middle: the couples are laid tip to tail. "
+        "It sways the locomotive about its middle: the couples are laid tip to tail."
     ),
     "hammer blows": "What the wheels balance along the track, they add across it: the hammer blow.",
     "hammer vector": (
@@ -498,23 +504,23 @@ PHRASES = {
         "the cross."
     ),
     "hooke ellipse": (
-        "*Q*, the pin of yoke 4, turns about shaft 4: its circle is seen as an ellipse, its "
-        "width times cos {angle}°."
+        "*Q*, the pin of yoke 4, turns about shaft 4: its circle is seen as an ellipse, narrowed "
+        "by the factor cos {angle}°."
     ),
     "hooke Q": (
         "*OP* lies in the paper, so its right angle with *OQ* is seen true: *Q* is where this "
         "line meets the ellipse."
     ),
     "hooke theta 4": (
-        "*Q* is moved to the circle, parallel to the plane of the shafts: there {theta} = "
-        "{value}° is true, tan {theta} = {ratio}."
+        "*Q* is moved to the circle, parallel to the plane of the shafts: there {theta} = {value}° "
+        "is in true size, tan {theta} = {ratio}."
     ),
     "hooke ratio": "tan {theta} / cos {shafts}",
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "*P*, *Q* and the yokes stand straight below; cross 3 swings by *ψ_P* = {at_p}° about "
-        "*P*, by *ψ_Q* = {at_q}° about *Q*."
+        "*P*, *Q* and the yokes stand straight below; the cross, 3, is turned by *ψ_P* = {at_p}° "
+        "about *OP*, by *ψ_Q* = {at_q}° about *OQ*."
     ),
     "hooke T": "The line through {one} and {other} meets the plane of the shafts at *T*.",
     "hooke other end": "the other end of *O*{pin}",
@@ -534,11 +540,13 @@ PHRASES = {
     "hooke line 14 velocity": "∥ shaft 4 through {point}, as yoke 4 turns about it",
     "hooke line 23 velocity": "∥ *OP* through {point}, as the cross turns about *OP* in yoke 2",
     "hooke line 43 velocity": "∥ *OQ* through {point}, as it turns about *OQ* in yoke 4",
-    "hooke line 24 acceleration": "∥ *OT* through {point}, for *α₄₂ₜ*",
-    "hooke line 14 acceleration": "∥ shaft 4 through {point}, for *α₄*",
+    "hooke line 24 acceleration": (
+        "∥ *OT* through {point}, the direction of *α₄₂ₜ*, the other part of *α₄₂*"
+    ),
+    "hooke line 14 acceleration": "∥ shaft 4 through {point}, that of *α₄*",
     "hooke fold": (
-        "The plane of the cross is turned about *OT* into the plane of the shafts: *OP* and *OQ* "
-        "are true there."
+        "The plane of the cross is turned about *OT* into the plane of the shafts: there *OP* and "
+        "*OQ* have their true directions."
     ),
     "hooke turned frame": (
         "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, which "
@@ -701,45 +709,49 @@ PHRASES = {
     "force whole": (
         "{label} = √({known}² + {found}²) = {value} {unit}: the force of the {one} on the {other}."
     ),
-    "turning measured": "{label} = {symbol} = {value} {unit}.",
+    "turning measured": "{label} = {symbol} = {value} {unit}, along {axis}.",
     # --- the spatial four-bar
     # position
     "spatial star": "along *DA*",
-    "spatial rose": "along *OA*",
+    "spatial rose": "along the axis of *A*",
     "spatial frame": (
-        "*AD* = {size} {unit} is the common normal of the fixed axes *a* and *d*, twisted by "
-        "{twist}°; the rocker also slides on *d*."
+        "*AD* = {size} {unit} is the common normal of the fixed axes at *A* and *D*, which are "
+        "twisted by {twist}°; the rocker also slides on that at *D*."
     ),
     "spatial crank": (
-        "The crank *AB* = {size} {unit} stands at {angle}° from *AD*, as seen along *OA*."
+        "The crank *AB* = {size} {unit} stands at {angle}° from *AD*, as seen along its axis."
     ),
     "spatial b": (
-        "Its axis at *B* is ⟂ *AB*, {twist}° from *a*; on it the coupler turns and slides."
+        "At *B* it carries an axis ⟂ *AB*, {twist}° from its own: on this the coupler turns and "
+        "slides."
     ),
     "spatial directions": (
-        "The directions are those of the spherical four-bar that has the twists as arcs; *OI* is "
-        "at *τ* = {tau}° from *OA*."
+        "From one point, *O*, *OA* and *OD* are parallel to the axes; *OI*, at *τ* = {tau}° from "
+        "*OA*, comes from the spherical four-bar whose arcs are the twists."
     ),
-    "spatial slides": "Three lengths close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}.",
+    "spatial slides": (
+        "Three slides along the axes close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
+    ),
     "spatial bars": (
         "The coupler *BC* = {coupler} {unit}, and the rocker *DC* = {rocker} {unit} at *θ₄* = "
         "{theta}°."
     ),
     "spatial H": (
-        "The rocker turns about *I* and slides along *I* relative to the crank; *AH* = {height} "
-        "{unit}."
+        "Relative to the crank the rocker turns about the axis *I* ∥ *OI* and slides along it; *I* "
+        "crosses the line *AD* at *H*, *AH* = {height} {unit}."
     ),
     # the lower polygons
     "spatial pole velocity": (
-        "Now *A* as a point of the rocker; the fixed points *A* and *D* are at the pole."
+        "Below: the velocity of *A* as a point of the rocker, *a₄*; *a* and *d*, which are fixed, "
+        "are at the pole."
     ),
-    "spatial pole acceleration": "Again, *A* as a point of the rocker.",
+    "spatial pole acceleration": "Below: the acceleration of *A* as a point of the rocker, *a′₄*.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I*."
     ),
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *I* "
-        "itself moves, too."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *AH* "
+        "grows at *ḣ*, and *OI* turns at *τ̇*."
     ),
     "spatial about D": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* turns about "
@@ -752,24 +764,24 @@ PHRASES = {
     "balls ahead": "in front of",
     "balls behind": "behind",
     "balls crank": (
-        "Below, seen along the axis of *A*: the crank *AB* = {size} {unit} stands at {angle}° "
-        "from the common normal."
+        "Below, seen along the axis of *A*: the crank *AB* = {size} {unit} stands at {angle}° from "
+        "the common normal of both axes."
     ),
     "balls path of C": (
         "Above, seen along the axis of *D*: *C* runs on this circle with *DC* = {size} {unit}."
     ),
-    "balls front": "*A* and *B* stand straight above in this view.",
+    "balls front": "In this view *A* and *B* stand straight above their places in the lower one.",
     "balls compass": (
         "*B* stands {height} {unit} {side} the plane of this circle, so here *BC* is √({size}² − "
         "{height}²) = {reach} {unit} long."
     ),
     "balls C": (
-        "Both circles meet at *C*: the coupler *BC*, and the rocker *DC* at {theta} = {angle}° "
-        "from the common normal."
+        "*C* is where both circles cross: *BC* is the coupler; the rocker *DC* stands at {theta} = "
+        "{angle}° from the common normal."
     ),
     "balls top": "Straight below, *C* completes the coupler and the rocker in the lower view.",
     "balls third": (
-        "On the right a view square to *BC* and to the path of *C*: both have their true length."
+        "On the right, a view square to *BC* and to the path of *C* shows both in true length."
     ),
     "balls lines": (
         "The plane through *B* square to *BC* is seen as a line there; *C* moves along its path."
@@ -781,36 +793,40 @@ PHRASES = {
     "balls path": "path of *C*",
     "balls remark": "drawn in the view on the right; the coupler does not spin about *BC*",
     "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; here {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; this view shows "
+        "{seen} {unit} of it."
     ),
     "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; here {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; this view shows "
+        "{seen} {unit} of it."
     ),
     "balls normal": (
-        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}; "
-        "here {seen} {unit}."
+        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}; this "
+        "view shows {seen} {unit} of it."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}, from *C* to *B*: the relative "
-        "velocity squared over *BC*."
+        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, from *C* to *B*, in true "
+        "length."
     ),
     "balls line BC velocity": "⟂ *BC* through {point}, as *BC* keeps its length",
     "balls line DC velocity": "∥ the path of *C* through {point}, as *C* moves along it",
-    "balls line BC acceleration": "⟂ *BC* through {point}, for the part of *α₃*",
-    "balls line DC acceleration": "∥ the path of *C* through {point}, for that of {symbol}",
+    "balls line BC acceleration": (
+        "⟂ *BC* through {point}, the direction of {symbol}·*BC* in this view"
+    ),
+    "balls line DC acceleration": "∥ the path of *C* through {point}, that of {symbol}·*DC*",
     "balls coupler velocity": (
-        "{label} = {value} {unit} here and {off} {unit} square to the paper, together {symbol} = "
-        "{whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} in this view and {off} {unit} square to it, in all {whole} "
+        "{unit}: {symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} here and {off} {unit} square to the paper, together {symbol} = "
-        "{whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} in this view and {off} {unit} square to it, in all {whole} "
+        "{unit}: {symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} here.",
+    "balls whole": "{label} = {value} {unit} in this view.",
     # plots and tables of sweeps, and figures of merit
     "angle of the driver": "angle of the {link}",
     "position of the driver": "position of the {link}",

@@ -118,7 +118,7 @@ PHRASES = {
     "arcs cross": "{letter} est à l’intersection des deux arcs.",
     "on guide": "{letter} est à l’intersection de l’arc et de la glissière.",
     "on slot": "{letter} est à l’intersection de la glissière et de l’axe de la rainure.",
-    "on lever": "{letter} est le point {link:du} sous {pin} dans cette position.",
+    "on lever": "{letter} est le point {link:du} qui est maintenant sous {pin}.",
     "bar": "{link:Le} {bar} fait un angle {symbol} = {angle}° avec l’axe *x*.",
     "block": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}.",
     "block from": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, mesuré depuis {tail}.",
@@ -127,14 +127,16 @@ PHRASES = {
         "son point le plus proche de {tail}."
     ),
     "plate": "{link:Le} est une pièce rigide de sommets {corners}.",
-    "third point": "{letter} est à l’intersection des deux arcs : {corners} garde son sens.",
+    "third point": "{letter} est l’intersection avec {corners} {sense}.",
     "on link slot": "{letter} est à l’intersection de l’arc et de l’axe de la rainure.",
     "in slot": "{head} est sur l’axe de la rainure {link:du}.",
     "tip": "{letter} est sur {link:le}, à {size} {unit} de {tail}.",
-    "tip against": "{letter} est sur {link:le}, à {size} {unit} de {tail}, de l’autre côté.",
+    "tip against": "{letter} est sur {link:le}, à {size} {unit} au-delà de {tail}.",
     # polygones
-    "pole velocity": "Le pôle : la vitesse des points fixes {letters} est nulle.",
-    "pole acceleration": "Le pôle : l’accélération des points fixes {letters} est nulle.",
+    "pole velocity": "Le pôle : {letters} sont ici, car la vitesse des points fixes est nulle.",
+    "pole acceleration": (
+        "Le pôle : {letters} sont ici, car l’accélération des points fixes est nulle."
+    ),
     "pole velocity one": (
         "Le pôle : le point fixe {point} n’a pas de vitesse, donc {letters} est ici."
     ),
@@ -176,30 +178,31 @@ PHRASES = {
     ),
     "across velocity": (
         "Par {point}, la perpendiculaire à {bar} : par rapport à {tail}, {head} ne peut pas se "
-        "déplacer autrement, donc {meeting} y est."
+        "déplacer autrement, donc {meeting} s’y trouve."
     ),
     "across velocity strut": (
         "Par {point}, la perpendiculaire à {bar} : hormis son glissement le long de {bar}, {head} "
-        "ne peut se déplacer qu’en travers, donc {meeting} y est."
+        "ne peut se déplacer qu’en travers, donc {meeting} s’y trouve."
     ),
     "across acceleration": (
-        "Par {point}, la perpendiculaire à {bar} : seule sa direction est connue, donc {meeting} y "
-        "est."
+        "Par {point}, la perpendiculaire à {bar}, direction de {alpha}·{bar} : {meeting} s’y "
+        "trouve."
     ),
     "along velocity": (
         "Par {point}, la parallèle {line:au} : {slide:le} {head} ne peut pas se déplacer "
-        "autrement, donc {meeting} y est."
+        "autrement, donc {meeting} s’y trouve."
     ),
     "along velocity slot": (
         "Par {point}, la parallèle {line:au} : dans {line:le}, {slide:le} {head} ne peut pas se "
-        "déplacer autrement, donc {meeting} y est."
+        "déplacer autrement, donc {meeting} s’y trouve."
     ),
     "along velocity link": (
         "Par {point}, la parallèle {line:au} : sur {line:le}, {slide:le} {head} ne peut pas se "
-        "déplacer autrement, donc {meeting} y est."
+        "déplacer autrement, donc {meeting} s’y trouve."
     ),
     "along acceleration": (
-        "Par {point}, la parallèle {line:au} : seule sa direction est connue, donc {meeting} y est."
+        "Par {point}, la parallèle {line:au}, direction de l’accélération de glissement : "
+        "{meeting} s’y trouve."
     ),
     "crossing": "{letter} est à l’intersection des deux droites.",
     "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
@@ -228,7 +231,8 @@ PHRASES = {
         "{rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way} : {slide:le} {head} a {symbol} = {rate} {unit}."
+        "{label} = {value} {unit}, {way} : le long {line:du}, {slide:le} {head} a {symbol} = "
+        "{rate} {unit}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
     "image velocity": "l’image des vitesses",
@@ -238,8 +242,8 @@ PHRASES = {
         "{size}/{length} = {own} {unit}{also}."
     ),
     "image against": (
-        "{letter} par {image} {link:du}, de l’autre côté : {part} = {whole}·{bar}/{base} = {known} "
-        "× {size}/{length} = {own} {unit}{also}."
+        "{letter} par {image} {link:du}, au-delà de {tail} : {part} = {whole}·{bar}/{base} = "
+        "{known} × {size}/{length} = {own} {unit}{also}."
     ),
     "image similar": (
         "{letter} par {image} {link:du} : {triangle} est directement semblable à {corners} : "
@@ -336,7 +340,9 @@ PHRASES = {
         "*C* est à l’intersection de deux cercles : autour de *B*, *BC* = {coupler}° ; autour de "
         "*D*, *DC* = {rocker}°, vu par la tranche."
     ),
-    "spherical bars": "La bielle *BC* est à {b}° en *B* et à {c}° en *C* ; *DC* est le balancier.",
+    "spherical bars": (
+        "La bielle *BC* est à *θ_B* = {b}° de la manivelle, à *θ_C* = {c}° du balancier *DC*."
+    ),
     "spherical rocker angle": (
         "Vu suivant *OD*, le balancier est à {symbol} = {angle}° de l’arc *AD* prolongé."
     ),
@@ -351,13 +357,13 @@ PHRASES = {
     "bodies remark": (
         "Triangle 1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu"
     ),
-    "bodies pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
-    "bodies pole acceleration": "Le pôle : le bâti, 1′.",
+    "bodies pole velocity": "Le pôle est le corps 1, le bâti, qui ne tourne pas.",
+    "bodies pole acceleration": "Le pôle est 1′, le bâti.",
     "bodies pole acceleration steady": (
-        "Le pôle : le bâti, 1′, et 2′, car *α₂* = {value} est donné."
+        "Le pôle est 1′, le bâti, et aussi 2′, car *α₂* = {value} est donné."
     ),
-    "bodies given": "{symbol} = {value} {unit}, suivant {axis}.",
-    "bodies measured": "{symbol} = {value} {unit}.",
+    "bodies given": "{symbol} = {value} {unit}, donné pour le corps 2, suivant {axis}.",
+    "bodies measured": "{symbol} = {value} {unit}, suivant {axis}.",
     "bodies whole": "{symbol} = {value} {unit}, de {tail} à {head}.",
     "bodies turned frame": (
         "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui "
@@ -367,19 +373,23 @@ PHRASES = {
         "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui "
         "tourne ici à *τ̇₃*, avec *ω₃* ⟂ *OI* dans le bâti."
     ),
-    "bodies line 24 velocity": "∥ *OI* par {point}, axe du balancier par rapport à la manivelle",
+    "bodies line 24 velocity": (
+        "∥ *OI* par {point}, axe du balancier, 4, par rapport à la manivelle"
+    ),
     "bodies line 14 velocity": "∥ *OD* par {point}, son axe par rapport au bâti",
     "bodies line 23 velocity": (
-        "∥ *OB* par {point}, à {arc}° de *OI*, axe de la bielle sur la manivelle"
+        "∥ *OB* par {point}, à {arc}° de *OI*, axe de la bielle, 3, sur la manivelle"
     ),
     "bodies line 43 velocity": "∥ *OC* par {point}, à {arc}° de *OI*, son axe sur le balancier",
-    "bodies line 24 acceleration": "∥ *OI* par {point}, pour *α₄₂ₜ*",
-    "bodies line 14 acceleration": "∥ *OD* par {point}, pour *α₄*",
-    "bodies line 23 acceleration": "∥ *OB* par {point}, à {arc}° de *OI*, pour *α₃₂*",
-    "bodies line 43 acceleration": "∥ *OC* par {point}, à {arc}° de *OI*, pour *α₃₄*",
+    "bodies line 24 acceleration": (
+        "∥ *OI* par {point}, direction de *α₄₂ₜ*, l’autre partie de *α₄₂*"
+    ),
+    "bodies line 14 acceleration": "∥ *OD* par {point}, celle de *α₄*",
+    "bodies line 23 acceleration": "∥ *OB* par {point}, à {arc}° de *OI*, direction de *α₃₂*",
+    "bodies line 43 acceleration": "∥ *OC* par {point}, à {arc}° de *OI*, celle de *α₃₄*",
     "bodies fold": (
-        "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y sont "
-        "vrais."
+        "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y ont leur "
+        "vraie direction."
     ),
     "bodies fold again": "De nouveau, ce plan est rabattu autour de *OI*.",
     "bodies sines": (
@@ -506,22 +516,22 @@ PHRASES = {
     ),
     "hooke ellipse": (
         "*Q*, le tourillon de la fourche 4, tourne autour de l’arbre 4 : son cercle est vu comme "
-        "une ellipse, de largeur × cos {angle}°."
+        "une ellipse, rétrécie par le facteur cos {angle}°."
     ),
     "hooke Q": (
         "*OP* est dans la feuille, donc son angle droit avec *OQ* se voit en vraie grandeur : "
         "cette droite coupe l’ellipse en *Q*."
     ),
     "hooke theta 4": (
-        "*Q* est ramené sur le cercle, parallèlement au plan des arbres : {theta} = {value}° y "
-        "est vrai, tan {theta} = {ratio}."
+        "*Q* est ramené sur le cercle, parallèlement au plan des arbres : {theta} = {value}° y est "
+        "en vraie grandeur, tan {theta} = {ratio}."
     ),
     "hooke ratio": "tan {theta} / cos {shafts}",
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "*P*, *Q* et les fourches sont à l’aplomb ; le croisillon 3 pivote de *ψ_P* = {at_p}° "
-        "autour de *P*, de *ψ_Q* = {at_q}° autour de *Q*."
+        "*P*, *Q* et les fourches sont à l’aplomb ; le croisillon, 3, est tourné de *ψ_P* = "
+        "{at_p}° autour de *OP*, de *ψ_Q* = {at_q}° autour de *OQ*."
     ),
     "hooke T": "La droite qui joint {one} et {other} perce le plan des arbres en *T*.",
     "hooke other end": "l’autre bout de *O*{pin}",
@@ -540,11 +550,13 @@ PHRASES = {
     "hooke line 14 velocity": "∥ l’arbre 4 par {point}, axe de la fourche 4",
     "hooke line 23 velocity": "∥ *OP* par {point}, axe du croisillon dans la fourche 2",
     "hooke line 43 velocity": "∥ *OQ* par {point}, son axe dans la fourche 4",
-    "hooke line 24 acceleration": "∥ *OT* par {point}, pour *α₄₂ₜ*",
-    "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, pour *α₄*",
+    "hooke line 24 acceleration": (
+        "∥ *OT* par {point}, direction de *α₄₂ₜ*, l’autre partie de *α₄₂*"
+    ),
+    "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, celle de *α₄*",
     "hooke fold": (
         "Le plan du croisillon est rabattu autour de *OT* sur celui des arbres : *OP* et *OQ* y "
-        "sont vrais."
+        "ont leur vraie direction."
     ),
     "hooke turned frame": (
         "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, qui "
@@ -721,44 +733,50 @@ PHRASES = {
     "force whole": (
         "{label} = √({known}² + {found}²) = {value} {unit} : l’effort {one:du} sur {other:le}."
     ),
-    "turning measured": "{label} = {symbol} = {value} {unit}.",
+    "turning measured": "{label} = {symbol} = {value} {unit}, suivant {axis}.",
     # --- le quadrilatère spatial
     # position
     "spatial star": "suivant *DA*",
-    "spatial rose": "suivant *OA*",
+    "spatial rose": "suivant l’axe en *A*",
     "spatial frame": (
-        "*AD* = {size} {unit} est la normale commune des axes fixes *a* et *d*, à {twist}° ; le "
-        "balancier glisse aussi sur *d*."
+        "*AD* = {size} {unit} est la normale commune des axes fixes en *A* et en *D*, à {twist}° "
+        "l’un de l’autre ; le balancier glisse aussi sur celui en *D*."
     ),
-    "spatial crank": "La manivelle *AB* = {size} {unit} est à {angle}° de *AD*, vue suivant *OA*.",
-    "spatial b": ("Son axe en *B* est ⟂ *AB*, à {twist}° de *a* ; la bielle y tourne et y glisse."),
+    "spatial crank": (
+        "La manivelle *AB* = {size} {unit} est à {angle}° de *AD*, vue suivant son axe."
+    ),
+    "spatial b": (
+        "En *B* elle porte un axe ⟂ *AB*, à {twist}° du sien : la bielle y tourne et y glisse."
+    ),
     "spatial directions": (
-        "Les directions sont celles du quadrilatère sphérique ayant ces angles pour arcs ; *OI* "
-        "est à *τ* = {tau}° de *OA*."
+        "D’un point *O*, *OA* et *OD* sont parallèles aux axes ; *OI*, à *τ* = {tau}° de *OA*, "
+        "vient du quadrilatère sphérique ayant ces angles pour arcs."
     ),
     "spatial slides": (
-        "Trois longueurs ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
+        "Trois glissements suivant les axes ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = "
+        "{d} {unit}."
     ),
     "spatial bars": (
         "La bielle *BC* = {coupler} {unit}, et le balancier *DC* = {rocker} {unit} à *θ₄* = "
         "{theta}°."
     ),
     "spatial H": (
-        "Par rapport à la manivelle, le balancier tourne autour de *I* et glisse suivant *I* ; "
-        "*AH* = {height} {unit}."
+        "Par rapport à la manivelle, le balancier tourne autour de l’axe *I* ∥ *OI* et glisse le "
+        "long ; *I* coupe la droite *AD* en *H*, *AH* = {height} {unit}."
     ),
     # les polygones du bas
     "spatial pole velocity": (
-        "Maintenant *A* comme point du balancier ; *A* et *D* du bâti sont au pôle."
+        "En bas : la vitesse de *A* comme point du balancier, *a₄* ; *a* et *d*, fixes, sont au "
+        "pôle."
     ),
-    "spatial pole acceleration": "Encore *A* comme point du balancier.",
+    "spatial pole acceleration": "En bas : l’accélération de *A* comme point du balancier, *a′₄*.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI* : *A* tourne autour de "
         "*I*."
     ),
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* : *I* "
-        "aussi se déplace."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* : *AH* "
+        "croît à *ḣ*, et *OI* tourne à *τ̇*."
     ),
     "spatial about D": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : *A* tourne "
@@ -771,24 +789,24 @@ PHRASES = {
     "balls ahead": "devant",
     "balls behind": "derrière",
     "balls crank": (
-        "En bas, vue suivant l’axe de *A* : la manivelle *AB* = {size} {unit} est à {angle}° de "
-        "la perpendiculaire commune."
+        "En bas, vue suivant l’axe de *A* : la manivelle *AB* = {size} {unit} est à {angle}° de la "
+        "perpendiculaire commune des deux axes."
     ),
     "balls path of C": (
         "En haut, vu suivant l’axe de *D* : *C* décrit ce cercle, *DC* = {size} {unit}."
     ),
-    "balls front": "Dans cette vue, *A* et *B* sont juste au-dessus.",
+    "balls front": "Dans cette vue, *A* et *B* sont à l’aplomb de leur place dans celle du bas.",
     "balls compass": (
         "*B* est à {height} {unit} {side} le plan de ce cercle : ici la longueur de *BC* est "
         "√({size}² − {height}²) = {reach} {unit}."
     ),
     "balls C": (
-        "Les deux cercles se coupent en *C* : la bielle *BC*, et le balancier *DC* à {theta} = "
-        "{angle}° de la perpendiculaire commune."
+        "*C* est à l’intersection des deux cercles : *BC* est la bielle ; le balancier *DC* est à "
+        "{theta} = {angle}° de la perpendiculaire commune."
     ),
     "balls top": "Juste au-dessous, *C* complète la bielle et le balancier dans la vue du bas.",
     "balls third": (
-        "À droite, une vue perpendiculaire à *BC* et à la trajectoire de *C* : tous deux en "
+        "À droite, une vue perpendiculaire à *BC* et à la trajectoire de *C* montre les deux en "
         "vraie grandeur."
     ),
     "balls lines": (
@@ -802,38 +820,38 @@ PHRASES = {
     "balls path": "trajectoire de *C*",
     "balls remark": "tracé dans la vue de droite ; la bielle ne tourne pas autour de *BC*",
     "balls tangential velocity": (
-        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; ici {seen} "
-        "{unit}."
+        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; cette vue en "
+        "montre {seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; ici {seen} "
-        "{unit}."
+        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; cette vue en "
+        "montre {seen} {unit}."
     ),
     "balls normal": (
         "{label} : {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail} ; "
-        "ici {seen} {unit}."
+        "cette vue en montre {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {speed}/{size} = {seen} {unit}, de *C* vers *B* : la vitesse "
-        "relative au carré sur *BC*."
+        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, de *C* vers *B*, en vraie "
+        "grandeur."
     ),
     "balls line BC velocity": "⟂ *BC* par {point}, car *BC* garde sa longueur",
     "balls line DC velocity": ("∥ la trajectoire de *C* par {point}, car *C* la suit"),
-    "balls line BC acceleration": "⟂ *BC* par {point}, pour la part de *α₃*",
-    "balls line DC acceleration": "∥ la trajectoire de *C* par {point}, pour celle de {symbol}",
+    "balls line BC acceleration": "⟂ *BC* par {point}, direction de {symbol}·*BC* dans cette vue",
+    "balls line DC acceleration": "∥ la trajectoire de *C* par {point}, celle de {symbol}·*DC*",
     "balls coupler velocity": (
-        "{label} = {value} {unit} ici et {off} {unit} en travers de la feuille, en tout "
-        "{symbol} = {whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} dans cette vue et {off} {unit} en travers, en tout {whole} "
+        "{unit} : {symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} ici et {off} {unit} en travers de la feuille, en tout "
-        "{symbol} = {whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} dans cette vue et {off} {unit} en travers, en tout {whole} "
+        "{unit} : {symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} ici.",
+    "balls whole": "{label} = {value} {unit} dans cette vue.",
     # images et tableaux de balayages, et caractéristiques
     "angle of the driver": "angle {link:du}",
     "position of the driver": "position {link:du}",

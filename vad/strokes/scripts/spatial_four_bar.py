@@ -98,6 +98,7 @@ class Script(SlidingScript):
         known("star.A", rays["A"], "crank", "OA")
         known("star.D", rays["D"], "rocker", "OD")
         construction("star.I", rays["I"], "axis", "OI")
+        crossing("star.O", Dot(star), label="O")
         ray, begin = RAY * reach, bearing(at["true A"])
         twist = self.angle(fold(bearing(at["true D"]) - begin))
         self.arc(

@@ -198,9 +198,8 @@ class BarScript(Script):
         else:
             says["result"] = self._found(link, order, abs(whole - normal))
         if order is ACCELERATION:
-            says["normal"] = self._turned(link, VELOCITY, "normal", normal, power=2)
-            if link == "coupler":
-                says["normal"] = self._relative_normal(abs(normal))
+            phrase = "normal BC" if link == "coupler" else "normal"
+            says["normal"] = self._turned(link, VELOCITY, phrase, normal, power=2)
         return SpaceVector(
             ends,
             tail,
@@ -229,19 +228,6 @@ class BarScript(Script):
             size=replace(size, scale=unit),
             value=Figure(rate**power * size.value, unit),
             seen=Figure(abs(seen), unit),
-            unit=Unit(unit),
-        )
-
-    def _relative_normal(self, seen: float) -> partial[Any]:
-        """Say what the normal component of BC is: the square of a velocity over its length."""
-        unit = self.unit(ACCELERATION)
-        return partial(
-            self.scene.say,
-            f"{self.topic} normal BC",
-            product("seen", "speed", "size"),
-            seen=Figure(seen, unit),
-            speed=Figure(self._relative_speed, self.unit(VELOCITY), power=2),
-            size=replace(self.length("coupler"), scale=unit, power=-1),
             unit=Unit(unit),
         )
 
