@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import cmath
+import math
 import re
 
 import pytest
 
 import vad
+from vad.export.sheet_json import to_text
 from vad.files.examples import example_path
 from vad.lecture.answer import answer
 from vad.lecture.moment import Moment
@@ -103,3 +106,26 @@ def test_the_answer_has_room_below_the_drawing():
     (last,) = (item for item in items if item.region == "caption")
     shown = "".join(run.text for mark in last.marks for run in mark.shape.runs if run.shown)
     assert shown.replace(" ", "") == str(answer(sheet)).replace(" ", "")
+
+
+POINTS = {"peaucellier": "P", "jansen-leg": "H", "pantograph": "P", "landing-gear": "W"}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("name", POINTS)
+def test_where_a_point_is_the_output_its_velocity_and_acceleration_are_said(name, language):
+    motion = vad.solve(vad.load(example_path(name))())
+    sheet, point = vad.draw(motion, language=language), motion.point(POINTS[name])
+    text = str(answer(sheet)).replace(",", ".").replace("\N{NARROW NO-BREAK SPACE}", "")
+    place, *said = map(float, re.findall(r"\d+(?:\.\d+)?(?!\d)", text))
+    assert re.search(rf"\b{POINTS[name]}\b", text) and place == next(iter(motion.inputs.values()))
+    for rate, found in ((point.velocity, said[:2]), (point.acceleration, said[2:])):
+        way = math.degrees(cmath.phase(rate)) % 360
+        assert found == pytest.approx([abs(rate), way], rel=1e-3, abs=0.06)
+    assert str(answer(vad.sheet_from_json(to_text(sheet)))) == str(answer(sheet))
+
+
+def test_of_an_output_point_that_rests_the_link_is_said_to_stand_still():
+    leg = vad.load(example_path("jansen-leg"))()
+    assert said(vad.solve(leg, omega=0.0)) == "At 60° the foot FG stands still for an instant."
+    assert said(vad.solve(leg), "position", "velocity").endswith("mm/s at 183.2° from x.")

@@ -143,7 +143,7 @@ def test_a_flight_takes_its_time_and_the_film_is_no_longer(name: str):
 def test_strokes_that_need_few_words_are_told_together():
     lesson = lesson_of("slider-crank")
     texts = [cue.text for cue in cues(lesson)]
-    assert texts[0].startswith("A is a fixed pivot. C slides along its guide")
+    assert texts[0].startswith("A is a fixed pivot. C slides along this guide")
     assert any(t.startswith("The crank AB") and "counter-clockwise" in t for t in texts)
     assert len(texts) < len(lesson.steps)
     assert all(step.hold / lesson.fps >= LEAST_REST - 0.05 for step in lesson.steps[-5:])

@@ -1,15 +1,18 @@
 """The answer of a lesson in words: what must drive the mechanism, or how its output moves.
 
 It is told from the sheet alone: "At 60° the slider C moves to the left at 639.5 mm/s and gains
-speed."  "At 120° the torque *T* = 18.69 N·m, clockwise, must act on the crank AB."
+speed."  "At 60° point H has *v* = 139.0 mm/s at 183.2° and *a* = 302.8 mm/s² at 153.5° from *x*."
+"At 120° the torque *T* = 18.69 N·m, clockwise, must act on the crank AB."
 """
 
 from __future__ import annotations
 
-from vad.kinematics.numbers import ray
+from vad.kinematics.numbers import bearing, ray
 from vad.lecture.balanced import answer_of_balancing
+from vad.lecture.followed import place_of
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import ACCELERATION, VELOCITY
+from vad.strokes.scene import image_letter
 from vad.strokes.sentences import Noun, Sentence, SentencePart, Text, Unit, Voice
 from vad.strokes.sheet import Arrow, Cell, Curve, Row, Sheet, Stroke
 
@@ -28,7 +31,7 @@ def answer(sheet: Sheet) -> Sentence | None:
 
     None for a sheet without velocities, on which nothing was to be found.
     """
-    return _drive(sheet) or _motion(sheet)
+    return _drive(sheet) or _of_point(sheet) or _motion(sheet)
 
 
 def _drive(sheet: Sheet) -> Sentence | None:
@@ -55,6 +58,29 @@ def _drive(sheet: Sheet) -> Sentence | None:
     assert isinstance(force, Arrow)
     way = _direction(force.end - force.start)
     return _said(sheet, "answer force", parts | {"way": _said(sheet, way)})
+
+
+def _of_point(sheet: Sheet) -> Sentence | None:
+    """Return how the output point moves; None where the mechanism names none, or it rests."""
+    found = {panel.name: panel for panel in sheet.panels}
+    rates: list[SentencePart] = []
+    for order, symbol in ((VELOCITY, "v"), (ACCELERATION, "a")):
+        panel = found.get(order.panel)
+        rate = place_of(panel.strokes, image_letter(sheet.output, order.number)) if panel else None
+        if panel is None or not sheet.output or not rate:
+            break
+        parts: dict[str, SentencePart] = {
+            "symbol": symbol,
+            "rate": Figure(abs(rate), panel.unit),
+            "unit": Unit(panel.unit),
+            "way": Figure(bearing(rate) % 360.0, "°"),
+        }
+        rates.append(_said(sheet, "answer point rate", parts))
+    if not rates:
+        return None
+    both = {"first": rates[0], "last": rates[-1]}
+    told = rates[0] if len(rates) == 1 else _said(sheet, "and", both)
+    return _said(sheet, "answer point", {"place": _place(sheet), "of": sheet.output, "rates": told})
 
 
 def _motion(sheet: Sheet) -> Sentence | None:

@@ -7,7 +7,7 @@ it does so it is in stance, and else in swing; the cycle then begins at touch-do
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -143,9 +143,9 @@ class Followed:
     def _arrows(self, sheet: Sheet) -> Iterator[Stroke]:
         """Yield the arrows at the point, of the rates whose polygons are on the sheet."""
         ways = {panel.name: (*panel.strokes, *panel.zeros) for panel in sheet.panels}
-        at = _place(ways.get(POSITION.panel, ()), self.point)
+        at = place_of(ways.get(POSITION.panel, ()), self.point)
         for order, symbol, length in zip(ORDERS[1:], RATES, self.lengths, strict=True):
-            rate = _place(ways.get(order.panel, ()), self.image(order.panel))
+            rate = place_of(ways.get(order.panel, ()), self.image(order.panel))
             if at is not None and rate:
                 yield Stroke(
                     "result",
@@ -162,7 +162,7 @@ class Followed:
             return panel
         strokes = (*panel.strokes, *panel.zeros)
         pole = next((stroke for stroke in strokes if stroke.kind == "pole"), None)
-        end = _place(strokes, self.image(panel.name))
+        end = place_of(strokes, self.image(panel.name))
         if pole is None or end is None:
             return panel
         tail, head = pole.label.split(",")[0].strip(), self.image(panel.name)
@@ -185,7 +185,7 @@ class Followed:
         )
 
 
-def _place(strokes: tuple[Stroke, ...], letter: str) -> complex | None:
+def place_of(strokes: Sequence[Stroke], letter: str) -> complex | None:
     """Return where the strokes of a polygon have a letter."""
     for stroke in strokes:
         shape: Any = stroke.shape

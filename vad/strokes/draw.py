@@ -220,6 +220,7 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
             forces.burden if forces else None,
             dict(getattr(scene, "pins", ())) or None,
         ),
+        output=mechanism.output_point,
     )
 
 

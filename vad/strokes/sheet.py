@@ -1,18 +1,16 @@
 """What a teacher draws, as frozen data: strokes, panels and the sheet that holds them.
 
-Nothing here knows colours, times or pixels; the shapes are those of `vad.strokes.shapes`.
-Coordinates are complex numbers in the panel's own unit (mm, mm/s, mm/s² …) with x to the right and
-y up; the pole of a polygon is the origin.
+The shapes are those of `vad.strokes.shapes`.  Coordinates are complex numbers in the panel's unit
+(mm, mm/s, mm/s² …) with x to the right and y up; the pole of a polygon is the origin.
 
-Every stroke has a name, unique in its panel and alike in all poses.  It is written from its
-`StrokePart`: the ends of a step and what is drawn of it, or a point's letter and how it is found.
+Every stroke has a name, unique in its panel and alike in all poses: the ends of a step and what is
+drawn of it, or a point's letter and how it is found.
 
 =========================  ====================================================================
 position                   ``A.fixed``, ``C.found``; ``DC.guide``, ``CB.slot``, ``DC.block``,
                            ``AB.bar``, ``AB.angle``, ``BC.compass``, ``DQ.line``, ``BCE.plate``
-velocity and acceleration  ``pole``, ``C.crossing``, ``C.image``; ``AB.normal``,
-                           ``AB.tangential``, ``AB.whole``, ``QB.sliding``, ``QB.coriolis``,
-                           ``BC.line``
+velocity and acceleration  ``pole``, ``C.crossing``, ``C.image``; ``AB.normal``, ``QB.coriolis``,
+                           ``AB.tangential``, ``AB.whole``, ``QB.sliding``, ``BC.line``
 =========================  ====================================================================
 
 Beyond its panel a stroke is called ``velocity:BC.line``.
@@ -457,7 +455,8 @@ class Sheet(Displayed):
 
     ``parameters`` are (name, value, unit) in the title, where a `TWIST` joins the length before it;
     ``rows`` are the links, then the slides: their order decides their colours.  ``notation`` says
-    how numbers are written, ``names`` are those of a file in languages; no ``source`` from JSON.
+    how numbers are written, ``names`` are a file's; ``output`` is the letter of the point whose
+    motion matters, if there is one; no ``source`` from JSON.
     """
 
     mechanism: str
@@ -471,6 +470,7 @@ class Sheet(Displayed):
     driver: Driver = Driver()
     source: Source | None = field(default=None, compare=False)
     subtitle: str = ""
+    output: str = ""
 
     def __repr__(self) -> str:
         """Return a line: what is drawn, and in how many strokes."""

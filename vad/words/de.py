@@ -92,8 +92,8 @@ PHRASES = {
     "fixed": "{letter} ist ein Gestellgelenk.",
     "fixed point": "{letter} ist ein fester Punkt.",
     "guides cross": "{letter}, wo sich die Führungen schneiden, ist fest.",
-    "guide": "{head} gleitet längs seiner Führung.",
-    "guide point": "{head} gleitet längs seiner Führung; {tail} ist ein fester Punkt von ihr.",
+    "guide": "Auf dieser Führung gleitet {head}.",
+    "guide point": "Auf dieser Führung gleitet {head}; {tail} ist ein fester Punkt von ihr.",
     "slot": "{head} gleitet im Schlitz {link:des}.",
     "driven bar": "{link:Der} {bar} = {size} {unit} steht bei {angle}°.",
     "driven slide": "{slide:Der} {head} steht bei {symbol} = {value} {unit} auf seiner Führung.",
@@ -260,6 +260,8 @@ PHRASES = {
     "answer moves": "{place} bewegt sich {name:der} {of} {way} mit {rate} {unit}{trend}.",
     "answer measures": "{place} hat {name:der} {of} {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place} steht {name:der} {of} für einen Augenblick still.",
+    "answer point": "{place} gilt für {of}: {rates} von *x* aus.",
+    "answer point rate": "*{symbol}* = {rate} {unit} bei {way}°",
     "answer shifts": (
         "{place} bewegt sich {name:der} {of} {way} mit {rate} {unit}, ohne sich zu drehen."
     ),
@@ -336,7 +338,7 @@ PHRASES = {
         "{rocker}°, als Strecke zu sehen."
     ),
     "spherical bars": (
-        "Die Koppel *BC* steht bei *θ_B* = {b}° zur Kurbel, bei *θ_C* = {c}° zur Schwinge *DC*."
+        "Die Koppel steht bei *θ_B* = {b}° zur Kurbel, bei *θ_C* = {c}° zur Schwinge *DC*."
     ),
     "spherical rocker angle": (
         "Längs *OD* gesehen steht die Schwinge bei {symbol} = {angle}°, vom verlängerten Bogen "
@@ -351,41 +353,38 @@ PHRASES = {
     "bodies remark": (
         "Dreieck 1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, ins Blatt umgeklappt"
     ),
-    "bodies pole velocity": "Der Pol ist Körper 1, das Gestell, das sich nicht dreht.",
-    "bodies pole acceleration": "Der Pol ist 1′, das Gestell.",
+    "bodies pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
+    "bodies pole acceleration": "Der Pol: das Gestell, 1′.",
     "bodies pole acceleration steady": (
-        "Der Pol ist 1′, das Gestell, und auch 2′, denn *α₂* = {value} ist gegeben."
+        "Der Pol: das Gestell, 1′, und 2′, denn *α₂* = {value} ist gegeben."
     ),
-    "bodies given": "{symbol} = {value} {unit}, für Körper 2 gegeben, längs {axis}.",
-    "bodies measured": "{symbol} = {value} {unit}, längs {axis}.",
+    "bodies given": "{symbol} = {value} {unit}, längs {axis}.",
+    "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, von {tail} nach {head}.",
     "bodies turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, das "
-        "sich mit *τ̇* = (*ω₃* ⟂ *OI* in der Koppel)/sin(Ebenenwinkel) dreht."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, das sich mit "
+        "*τ̇* = (*ω₃* der Koppel ⟂ *OI*)/sin(Ebenenwinkel) dreht."
     ),
     "bodies turned coupler": (
         "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; es "
         "dreht sich hier mit *τ̇₃*: *ω₃* ⟂ *OI* im Gestell."
     ),
     "bodies line 24 velocity": (
-        "∥ *OI* durch {point}, denn um *OI* dreht sich die Schwinge, 4, relativ zur Kurbel"
+        "∥ *OI* durch {point}, denn um *OI* dreht sich die Schwinge relativ zur Kurbel"
     ),
-    "bodies line 14 velocity": "∥ *OD* durch {point}, denn im Gestell dreht sie sich um *OD*",
+    "bodies line 14 velocity": "∥ *OD* durch {point}, denn sie dreht sich um *OD*",
     "bodies line 23 velocity": (
-        "∥ *OB* durch {point}, {arc}° von *OI*, Achse der Koppel, 3, an der Kurbel"
+        "∥ *OB* durch {point}, {arc}° von *OI*, Achse der Koppel an der Kurbel"
     ),
     "bodies line 43 velocity": (
         "∥ *OC* durch {point}, {arc}° von *OI*, ihre Achse an der Schwinge"
     ),
-    "bodies line 24 acceleration": (
-        "∥ *OI* durch {point}, die Richtung von *α₄₂ₜ*, dem anderen Teil von *α₄₂*"
-    ),
-    "bodies line 14 acceleration": "∥ *OD* durch {point}, die von *α₄*",
-    "bodies line 23 acceleration": "∥ *OB* durch {point}, {arc}° von *OI*, die Richtung von *α₃₂*",
-    "bodies line 43 acceleration": "∥ *OC* durch {point}, {arc}° von *OI*, die von *α₃₄*",
+    "bodies line 24 acceleration": "∥ *OI* durch {point}, längs *α₄₂ₜ*",
+    "bodies line 14 acceleration": "∥ *OD* durch {point}, längs *α₄*",
+    "bodies line 23 acceleration": "∥ *OB* durch {point}, {arc}° von *OI*, längs *α₃₂*",
+    "bodies line 43 acceleration": "∥ *OC* durch {point}, {arc}° von *OI*, längs *α₃₄*",
     "bodies fold": (
-        "Die Koppelebene wird um *OI* ins Blatt umgeklappt: dort haben *OB* und *OC* ihre wahre "
-        "Richtung."
+        "Die Koppelebene wird um *OI* ins Blatt umgeklappt: dort sind *OB* und *OC* unverzerrt."
     ),
     "bodies fold again": "Wieder wird diese Ebene um *OI* ins Blatt umgeklappt.",
     "bodies sines": (
@@ -548,24 +547,23 @@ PHRASES = {
     "hooke speeds": "Drehzahlen über einen Umlauf",
     "hooke shaft": "Welle {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* durch {point}, denn *ω₄₂* liegt in den Ebenen von Kreuz und Wellen"
+        "∥ *OT* durch {point}, denn *ω₄₂* von Welle 4 relativ zu 2 liegt in den Ebenen von Kreuz "
+        "und Wellen"
     ),
     "hooke line 14 velocity": "∥ Welle 4 durch {point}, die Achse der Gabel 4",
     "hooke line 23 velocity": (
         "∥ *OP* durch {point}, denn um *OP* dreht sich das Kreuz in Gabel 2"
     ),
     "hooke line 43 velocity": "∥ *OQ* durch {point}, denn um *OQ* dreht es sich in Gabel 4",
-    "hooke line 24 acceleration": (
-        "∥ *OT* durch {point}, die Richtung von *α₄₂ₜ*, dem anderen Teil von *α₄₂*"
-    ),
-    "hooke line 14 acceleration": "∥ Welle 4 durch {point}, die von *α₄*",
+    "hooke line 24 acceleration": "∥ *OT* durch {point}, längs *α₄₂ₜ*",
+    "hooke line 14 acceleration": "∥ Welle 4 durch {point}, längs *α₄*",
     "hooke fold": (
         "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt: dort haben *OP* und *OQ* "
         "ihre wahre Richtung."
     ),
     "hooke turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, das "
-        "sich mit *τ̇* = (*ω₃* ⟂ *OT* im Kreuz)/sin(Ebenenwinkel) dreht."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, das sich mit "
+        "*τ̇* = (*ω₃* des Kreuzes, ⟂ *OT* in seiner Ebene)/sin(Ebenenwinkel) dreht."
     ),
     # Kleins Konstruktion
     "klein rod": "Die Gerade der Stange {b}{c}, verlängert.",
@@ -737,79 +735,73 @@ PHRASES = {
     "force whole": (
         "{label} = √({known}² + {found}²) = {value} {unit}: die Kraft {one:des} {other:am}."
     ),
-    "turning measured": "{label} = {symbol} = {value} {unit}, längs {axis}.",
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
     # --- das räumliche Gelenkviereck
     # Lage
     "spatial star": "längs *DA*",
     "spatial rose": "längs der Achse von *A*",
     "spatial frame": (
-        "*AD* = {size} {unit} ist die gemeinsame Normale der festen Achsen in *A* und *D*, die "
-        "sich unter {twist}° kreuzen; auf der in *D* gleitet die Schwinge auch."
+        "*AD* = {size} {unit} ist die gemeinsame Normale der Achsen in *A* und *D* ({twist}°); in "
+        "*D* gleitet die Schwinge auch."
     ),
     "spatial crank": (
         "Die Kurbel *AB* = {size} {unit} steht bei {angle}° von *AD*, längs ihrer Achse gesehen."
     ),
     "spatial b": (
-        "In *B* trägt sie eine Achse ⟂ *AB*, {twist}° von ihrer eigenen: auf ihr dreht sich und "
-        "gleitet die Koppel."
+        "Die Achse in *B* ist ⟂ *AB*, {twist}° von der in *A*; auf ihr dreht sich und gleitet die "
+        "Koppel."
     ),
     "spatial directions": (
-        "Von einem Punkt *O* aus sind *OA* und *OD* parallel zu den Achsen; *OI* bei *τ* = {tau}° "
-        "von *OA* folgt aus dem sphärischen Viergelenk mit diesen Winkeln als Bögen."
+        "*OA* und *OD* sind ∥ den Achsen, *OI* bei *τ* = {tau}° wie im sphärischen Viergelenk mit "
+        "diesen Winkeln als Bögen."
     ),
     "spatial slides": (
-        "Drei Schiebungen längs der Achsen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = "
-        "{d} {unit}."
+        "Drei Längen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
     ),
     "spatial bars": (
         "Die Koppel *BC* = {coupler} {unit} und die Schwinge *DC* = {rocker} {unit} bei *θ₄* = "
         "{theta}°."
     ),
     "spatial H": (
-        "Relativ zur Kurbel dreht sich die Schwinge um die Achse *I* ∥ *OI* und gleitet längs ihr; "
-        "*I* schneidet die Gerade *AD* in *H*, *AH* = {height} {unit}."
+        "Relativ zur Kurbel dreht sich die Schwinge um *I* ∥ *OI* und gleitet längs *I*; *H* liegt "
+        "auf *AD*, *AH* = {height} {unit}."
     ),
     # die unteren Polygone
-    "spatial pole velocity": (
-        "Unten: die Geschwindigkeit von *A* als Punkt der Schwinge, *a₄*; *a* und *d* des Gestells "
-        "liegen im Pol."
-    ),
-    "spatial pole acceleration": "Unten: die Beschleunigung von *A* als Punkt der Schwinge, *a′₄*.",
+    "spatial pole velocity": "Unten ist *a₄* *A* an der Schwinge; *a* und *d* sind fest.",
+    "spatial pole acceleration": "Wieder *a′₄*, *A* an der Schwinge.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich um *I*."
     ),
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *AH* "
-        "wächst mit *ḣ*, und *OI* dreht sich mit *τ̇*."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*; *AH* "
+        "wächst mit *ḣ*, *τ* mit *τ̇*."
     ),
     "spatial about D": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* dreht sich "
         "um *D*."
     ),
     "spatial along I": "∥ *OI* durch {point}",
-    "spatial along D": "∥ *OD* durch {point}, denn *A* gleitet längs beider Achsen",
+    "spatial along D": "∥ *OD* durch {point}, denn *A* gleitet längs beider",
     # --- das Gelenkviereck mit Kugelgelenken
     # Lageplan
     "balls ahead": "vor",
     "balls behind": "hinter",
     "balls crank": (
         "Unten, längs der Achse von *A* gesehen: die Kurbel *AB* = {size} {unit} steht bei "
-        "{angle}° vom gemeinsamen Lot beider Achsen."
+        "{angle}° vom gemeinsamen Lot der Achsen."
     ),
     "balls path of C": (
         "Oben, längs der Achse von *D* gesehen: *C* läuft auf diesem Kreis mit *DC* = {size} "
         "{unit}."
     ),
-    "balls front": (
-        "In dieser Ansicht stehen *A* und *B* senkrecht über ihren Orten in der unteren."
-    ),
+    "balls front": "*A* und *B* stehen in dieser Ansicht senkrecht darüber.",
     "balls compass": (
         "*B* steht {height} {unit} {side} der Ebene dieses Kreises: hier ist *BC* = √({size}² − "
         "{height}²) = {reach} {unit} lang."
     ),
     "balls C": (
-        "In *C* schneiden sich beide Kreise: *BC* ist die Koppel; die Schwinge *DC* steht bei "
-        "{theta} = {angle}° vom gemeinsamen Lot."
+        "In *C* schneiden sich beide Kreise; die Schwinge *DC* steht bei {theta} = {angle}° vom "
+        "gemeinsamen Lot."
     ),
     "balls top": "Senkrecht darunter ergänzt *C* Koppel und Schwinge in der unteren Ansicht.",
     "balls third": (
@@ -826,40 +818,37 @@ PHRASES = {
     "balls path": "Bahn von *C*",
     "balls remark": "gezeichnet in der Ansicht rechts; die Koppel dreht sich nicht um *BC*",
     "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; diese Ansicht "
-        "zeigt davon {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; im Bild {seen} "
+        "{unit}."
     ),
     "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; diese Ansicht "
-        "zeigt davon {seen} {unit}."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; im Bild {seen} "
+        "{unit}."
     ),
     "balls normal": (
-        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}; "
-        "diese Ansicht zeigt davon {seen} {unit}."
+        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}; im "
+        "Bild {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, von *C* nach *B*, in wahrer "
-        "Länge."
+        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, von *C* nach *B*."
     ),
     "balls line BC velocity": "⟂ *BC* durch {point}, denn *BC* behält seine Länge",
     "balls line DC velocity": "∥ Bahn von *C* durch {point}, denn auf ihr läuft *C*",
-    "balls line BC acceleration": (
-        "⟂ *BC* durch {point}, die Richtung von {symbol}·*BC* in dieser Ansicht"
-    ),
-    "balls line DC acceleration": "∥ Bahn von *C* durch {point}, die von {symbol}·*DC*",
+    "balls line BC acceleration": "⟂ *BC* durch {point}, längs {symbol}·*BC*",
+    "balls line DC acceleration": "∥ Bahn von *C* durch {point}, längs {symbol}·*DC*",
     "balls coupler velocity": (
-        "{label} = {value} {unit} in dieser Ansicht und {off} {unit} senkrecht dazu, zusammen "
-        "{whole} {unit}: {symbol} = {whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} im Bild und {off} {unit} senkrecht dazu, zusammen {symbol} = "
+        "{whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} in dieser Ansicht und {off} {unit} senkrecht dazu, zusammen "
-        "{whole} {unit}: {symbol} = {whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} im Bild und {off} {unit} senkrecht dazu, zusammen {symbol} = "
+        "{whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} in dieser Ansicht.",
+    "balls whole": "{label} = {value} {unit} im Bild.",
     # Bilder und Tabellen von Läufen, und Kennwerte
     "angle of the driver": "Winkel {link:des}",
     "position of the driver": "Lage {link:des}",

@@ -101,8 +101,8 @@ PHRASES = {
     "fixed": "{letter} is a fixed pivot.",
     "fixed point": "{letter} is a fixed point.",
     "guides cross": "{letter}, where the guides cross, is fixed.",
-    "guide": "{head} slides along its guide.",
-    "guide point": "{head} slides along its guide; {tail} is a fixed point of it.",
+    "guide": "{head} slides along this guide.",
+    "guide point": "{head} slides along this guide; {tail} is a fixed point of it.",
     "slot": "{head} slides in the slot of the {link}.",
     "driven bar": "The {link} {bar} = {size} {unit} stands at {angle}°.",
     "driven slide": "The {slide} {head} stands at {symbol} = {value} {unit} on its guide.",
@@ -269,6 +269,8 @@ PHRASES = {
     "answer moves": "{place} the {name} {of} moves {way} at {rate} {unit}{trend}.",
     "answer measures": "{place} the {name} {of} has {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place} the {name} {of} stands still for an instant.",
+    "answer point": "{place} point {of} has {rates} from *x*.",
+    "answer point rate": "*{symbol}* = {rate} {unit} at {way}°",
     "answer shifts": "{place} the {name} {of} moves {way} at {rate} {unit} without turning.",
     "answer pushes": (
         "{place} the drive must push the ends of {of} apart with {symbol} = {value} {unit}."
@@ -352,41 +354,37 @@ PHRASES = {
         "Triangle 1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into "
         "the paper"
     ),
-    "bodies pole velocity": "The pole is body 1, the frame, which does not turn.",
-    "bodies pole acceleration": "The pole is 1′, the frame.",
+    "bodies pole velocity": "The pole: the frame, 1, does not turn.",
+    "bodies pole acceleration": "The pole: the frame, 1′.",
     "bodies pole acceleration steady": (
-        "The pole is 1′, the frame, and 2′, too, as *α₂* = {value} is given."
+        "The pole: the frame, 1′, and 2′, as *α₂* = {value} is given."
     ),
-    "bodies given": "{symbol} = {value} {unit}, given for body 2, along {axis}.",
-    "bodies measured": "{symbol} = {value} {unit}, along {axis}.",
+    "bodies given": "{symbol} = {value} {unit}, along {axis}.",
+    "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, from {tail} to {head}.",
     "bodies turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, which "
-        "turns at *τ̇* = (*ω₃* ⟂ *OI* in the coupler)/sin(angle of the planes)."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, which turns at "
+        "*τ̇* = (*ω₃* of the coupler ⟂ *OI*)/sin(angle of the planes)."
     ),
     "bodies turned coupler": (
         "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, which "
         "turns here at *τ̇₃*, from *ω₃* ⟂ *OI* in the frame."
     ),
     "bodies line 24 velocity": (
-        "∥ *OI* through {point}, as the rocker, 4, turns about *OI* relative to the crank"
+        "∥ *OI* through {point}, as the rocker turns about *OI* relative to the crank"
     ),
-    "bodies line 14 velocity": "∥ *OD* through {point}, as it turns about *OD* in the frame",
+    "bodies line 14 velocity": "∥ *OD* through {point}, as it turns about *OD*",
     "bodies line 23 velocity": (
-        "∥ *OB* through {point}, {arc}° from *OI*, the axis of the coupler, 3, on the crank"
+        "∥ *OB* through {point}, {arc}° from *OI*, the axis of the coupler on the crank"
     ),
     "bodies line 43 velocity": "∥ *OC* through {point}, {arc}° from *OI*, its axis on the rocker",
-    "bodies line 24 acceleration": (
-        "∥ *OI* through {point}, the direction of *α₄₂ₜ*, the other part of *α₄₂*"
-    ),
-    "bodies line 14 acceleration": "∥ *OD* through {point}, that of *α₄*",
-    "bodies line 23 acceleration": (
-        "∥ *OB* through {point}, {arc}° from *OI*, the direction of *α₃₂*"
-    ),
-    "bodies line 43 acceleration": "∥ *OC* through {point}, {arc}° from *OI*, that of *α₃₄*",
+    "bodies line 24 acceleration": "∥ *OI* through {point}, along *α₄₂ₜ*",
+    "bodies line 14 acceleration": "∥ *OD* through {point}, along *α₄*",
+    "bodies line 23 acceleration": "∥ *OB* through {point}, {arc}° from *OI*, along *α₃₂*",
+    "bodies line 43 acceleration": "∥ *OC* through {point}, {arc}° from *OI*, along *α₃₄*",
     "bodies fold": (
-        "The plane of the coupler is turned about *OI* into the paper: there *OB* and *OC* have "
-        "their true directions."
+        "The plane of the coupler is turned about *OI* into the paper: *OB* and *OC* are true "
+        "there."
     ),
     "bodies fold again": "Again this plane is turned about *OI* into the paper.",
     "bodies sines": (
@@ -535,22 +533,21 @@ PHRASES = {
     "hooke speeds": "speeds over a turn",
     "hooke shaft": "shaft {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* through {point}, as *ω₄₂* lies in the planes of cross and shafts"
+        "∥ *OT* through {point}, as *ω₄₂* of shaft 4 relative to 2 lies in the planes of cross and "
+        "shafts"
     ),
     "hooke line 14 velocity": "∥ shaft 4 through {point}, as yoke 4 turns about it",
     "hooke line 23 velocity": "∥ *OP* through {point}, as the cross turns about *OP* in yoke 2",
     "hooke line 43 velocity": "∥ *OQ* through {point}, as it turns about *OQ* in yoke 4",
-    "hooke line 24 acceleration": (
-        "∥ *OT* through {point}, the direction of *α₄₂ₜ*, the other part of *α₄₂*"
-    ),
-    "hooke line 14 acceleration": "∥ shaft 4 through {point}, that of *α₄*",
+    "hooke line 24 acceleration": "∥ *OT* through {point}, along *α₄₂ₜ*",
+    "hooke line 14 acceleration": "∥ shaft 4 through {point}, along *α₄*",
     "hooke fold": (
         "The plane of the cross is turned about *OT* into the plane of the shafts: there *OP* and "
         "*OQ* have their true directions."
     ),
     "hooke turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, which "
-        "turns at *τ̇* = (*ω₃* ⟂ *OT* in the cross)/sin(angle of the planes)."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, which turns at "
+        "*τ̇* = (*ω₃* of the cross, ⟂ *OT* in its plane)/sin(angle of the planes)."
     ),
     # Klein's construction
     "klein rod": "The line of the rod {b}{c}, produced.",
@@ -709,75 +706,69 @@ PHRASES = {
     "force whole": (
         "{label} = √({known}² + {found}²) = {value} {unit}: the force of the {one} on the {other}."
     ),
-    "turning measured": "{label} = {symbol} = {value} {unit}, along {axis}.",
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
     # --- the spatial four-bar
     # position
     "spatial star": "along *DA*",
     "spatial rose": "along the axis of *A*",
     "spatial frame": (
-        "*AD* = {size} {unit} is the common normal of the fixed axes at *A* and *D*, which are "
-        "twisted by {twist}°; the rocker also slides on that at *D*."
+        "*AD* = {size} {unit} is the common normal of the axes at *A* and *D*, twisted by "
+        "{twist}°; at *D* the rocker also slides."
     ),
     "spatial crank": (
         "The crank *AB* = {size} {unit} stands at {angle}° from *AD*, as seen along its axis."
     ),
     "spatial b": (
-        "At *B* it carries an axis ⟂ *AB*, {twist}° from its own: on this the coupler turns and "
-        "slides."
+        "The axis at *B* is ⟂ *AB*, {twist}° from that at *A*; on it the coupler turns and slides."
     ),
     "spatial directions": (
-        "From one point, *O*, *OA* and *OD* are parallel to the axes; *OI*, at *τ* = {tau}° from "
-        "*OA*, comes from the spherical four-bar whose arcs are the twists."
+        "*OA* and *OD* are ∥ the axes; *OI*, at *τ* = {tau}° from *OA*, is that of the spherical "
+        "four-bar with the twists as arcs."
     ),
-    "spatial slides": (
-        "Three slides along the axes close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
-    ),
+    "spatial slides": "Three slides close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}.",
     "spatial bars": (
         "The coupler *BC* = {coupler} {unit}, and the rocker *DC* = {rocker} {unit} at *θ₄* = "
         "{theta}°."
     ),
     "spatial H": (
-        "Relative to the crank the rocker turns about the axis *I* ∥ *OI* and slides along it; *I* "
-        "crosses the line *AD* at *H*, *AH* = {height} {unit}."
+        "Relative to the crank the rocker turns about *I* ∥ *OI* and slides along *I*, which "
+        "crosses *AD* at *H*: *AH* = {height} {unit}."
     ),
     # the lower polygons
-    "spatial pole velocity": (
-        "Below: the velocity of *A* as a point of the rocker, *a₄*; *a* and *d*, which are fixed, "
-        "are at the pole."
-    ),
-    "spatial pole acceleration": "Below: the acceleration of *A* as a point of the rocker, *a′₄*.",
+    "spatial pole velocity": "Below, *a₄* is *A* as a point of the rocker; *a* and *d* are fixed.",
+    "spatial pole acceleration": "Again *a′₄*, *A* as a point of the rocker.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I*."
     ),
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*: *AH* "
-        "grows at *ḣ*, and *OI* turns at *τ̇*."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*; *AH* "
+        "grows at *ḣ*, *τ* at *τ̇*."
     ),
     "spatial about D": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* turns about "
         "*D*, too."
     ),
     "spatial along I": "∥ *OI* through {point}",
-    "spatial along D": "∥ *OD* through {point}, as *A* slides along both axes",
+    "spatial along D": "∥ *OD* through {point}, as *A* slides along both",
     # --- the ball-jointed four-bar
     # position
     "balls ahead": "in front of",
     "balls behind": "behind",
     "balls crank": (
         "Below, seen along the axis of *A*: the crank *AB* = {size} {unit} stands at {angle}° from "
-        "the common normal of both axes."
+        "the common normal of the axes."
     ),
     "balls path of C": (
         "Above, seen along the axis of *D*: *C* runs on this circle with *DC* = {size} {unit}."
     ),
-    "balls front": "In this view *A* and *B* stand straight above their places in the lower one.",
+    "balls front": "*A* and *B* stand straight above in this view.",
     "balls compass": (
         "*B* stands {height} {unit} {side} the plane of this circle, so here *BC* is √({size}² − "
         "{height}²) = {reach} {unit} long."
     ),
     "balls C": (
-        "*C* is where both circles cross: *BC* is the coupler; the rocker *DC* stands at {theta} = "
-        "{angle}° from the common normal."
+        "*C* is where both circles cross; the rocker *DC* stands at {theta} = {angle}° from the "
+        "common normal."
     ),
     "balls top": "Straight below, *C* completes the coupler and the rocker in the lower view.",
     "balls third": (
@@ -793,34 +784,31 @@ PHRASES = {
     "balls path": "path of *C*",
     "balls remark": "drawn in the view on the right; the coupler does not spin about *BC*",
     "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; this view shows "
-        "{seen} {unit} of it."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; in this view "
+        "{seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; this view shows "
-        "{seen} {unit} of it."
+        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; in this view "
+        "{seen} {unit}."
     ),
     "balls normal": (
-        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}; this "
-        "view shows {seen} {unit} of it."
+        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}; in "
+        "this view {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, from *C* to *B*, in true "
-        "length."
+        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, from *C* to *B*."
     ),
     "balls line BC velocity": "⟂ *BC* through {point}, as *BC* keeps its length",
     "balls line DC velocity": "∥ the path of *C* through {point}, as *C* moves along it",
-    "balls line BC acceleration": (
-        "⟂ *BC* through {point}, the direction of {symbol}·*BC* in this view"
-    ),
-    "balls line DC acceleration": "∥ the path of *C* through {point}, that of {symbol}·*DC*",
+    "balls line BC acceleration": "⟂ *BC* through {point}, along {symbol}·*BC*",
+    "balls line DC acceleration": "∥ the path of *C* through {point}, along {symbol}·*DC*",
     "balls coupler velocity": (
-        "{label} = {value} {unit} in this view and {off} {unit} square to it, in all {whole} "
-        "{unit}: {symbol} = {whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} in this view and {off} {unit} square to it, together {symbol} = "
+        "{whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} in this view and {off} {unit} square to it, in all {whole} "
-        "{unit}: {symbol} = {whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} in this view and {off} {unit} square to it, together {symbol} = "
+        "{whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (

@@ -97,8 +97,8 @@ PHRASES = {
     "fixed": "{letter} est un pivot fixe.",
     "fixed point": "{letter} est un point fixe.",
     "guides cross": "{letter}, où se croisent les glissières, est fixe.",
-    "guide": "{head} glisse le long de sa glissière.",
-    "guide point": "{head} glisse le long de sa glissière ; {tail} en est un point fixe.",
+    "guide": "{head} glisse le long de cette glissière.",
+    "guide point": "{head} glisse le long de cette glissière ; {tail} en est un point fixe.",
     "slot": "{head} glisse dans la rainure {link:du}.",
     "driven bar": "{link:Le} {bar} = {size} {unit} fait un angle de {angle}° avec l’axe *x*.",
     "driven slide": "{slide:Le} {head} se trouve en {symbol} = {value} {unit} sur sa glissière.",
@@ -272,6 +272,8 @@ PHRASES = {
     "answer moves": "{place}, {name:le} {of} se déplace {way} à {rate} {unit}{trend}.",
     "answer measures": "{place}, {name:le} {of} a {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place}, {name:le} {of} est immobile un instant.",
+    "answer point": "{place}, le point {of} a {rates} de *x*.",
+    "answer point rate": "*{symbol}* = {rate} {unit} à {way}°",
     "answer shifts": "{place}, {name:le} {of} se déplace {way} à {rate} {unit} sans tourner.",
     "answer pushes": (
         "{place}, le moteur doit écarter les extrémités de {of} avec {symbol} = {value} {unit}."
@@ -357,39 +359,35 @@ PHRASES = {
     "bodies remark": (
         "Triangle 1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu"
     ),
-    "bodies pole velocity": "Le pôle est le corps 1, le bâti, qui ne tourne pas.",
-    "bodies pole acceleration": "Le pôle est 1′, le bâti.",
+    "bodies pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
+    "bodies pole acceleration": "Le pôle : le bâti, 1′.",
     "bodies pole acceleration steady": (
-        "Le pôle est 1′, le bâti, et aussi 2′, car *α₂* = {value} est donné."
+        "Le pôle : le bâti, 1′, et 2′, car *α₂* = {value} est donné."
     ),
-    "bodies given": "{symbol} = {value} {unit}, donné pour le corps 2, suivant {axis}.",
-    "bodies measured": "{symbol} = {value} {unit}, suivant {axis}.",
+    "bodies given": "{symbol} = {value} {unit}, suivant {axis}.",
+    "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, de {tail} à {head}.",
     "bodies turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui "
-        "tourne à *τ̇* = (*ω₃* ⟂ *OI* dans la bielle)/sin(angle des plans)."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui tourne à "
+        "*τ̇* = (*ω₃* de la bielle ⟂ *OI*)/sin(angle des plans)."
     ),
     "bodies turned coupler": (
         "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui "
         "tourne ici à *τ̇₃*, avec *ω₃* ⟂ *OI* dans le bâti."
     ),
-    "bodies line 24 velocity": (
-        "∥ *OI* par {point}, axe du balancier, 4, par rapport à la manivelle"
-    ),
+    "bodies line 24 velocity": "∥ *OI* par {point}, axe du balancier par rapport à la manivelle",
     "bodies line 14 velocity": "∥ *OD* par {point}, son axe par rapport au bâti",
     "bodies line 23 velocity": (
-        "∥ *OB* par {point}, à {arc}° de *OI*, axe de la bielle, 3, sur la manivelle"
+        "∥ *OB* par {point}, à {arc}° de *OI*, axe de la bielle sur la manivelle"
     ),
     "bodies line 43 velocity": "∥ *OC* par {point}, à {arc}° de *OI*, son axe sur le balancier",
-    "bodies line 24 acceleration": (
-        "∥ *OI* par {point}, direction de *α₄₂ₜ*, l’autre partie de *α₄₂*"
-    ),
-    "bodies line 14 acceleration": "∥ *OD* par {point}, celle de *α₄*",
-    "bodies line 23 acceleration": "∥ *OB* par {point}, à {arc}° de *OI*, direction de *α₃₂*",
-    "bodies line 43 acceleration": "∥ *OC* par {point}, à {arc}° de *OI*, celle de *α₃₄*",
+    "bodies line 24 acceleration": "∥ *OI* par {point}, suivant *α₄₂ₜ*",
+    "bodies line 14 acceleration": "∥ *OD* par {point}, suivant *α₄*",
+    "bodies line 23 acceleration": "∥ *OB* par {point}, à {arc}° de *OI*, suivant *α₃₂*",
+    "bodies line 43 acceleration": "∥ *OC* par {point}, à {arc}° de *OI*, suivant *α₃₄*",
     "bodies fold": (
-        "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y ont leur "
-        "vraie direction."
+        "Le plan de la bielle est rabattu sur la feuille autour de *OI* : *OB* et *OC* y sont "
+        "vrais."
     ),
     "bodies fold again": "De nouveau, ce plan est rabattu autour de *OI*.",
     "bodies sines": (
@@ -545,22 +543,21 @@ PHRASES = {
     "hooke speeds": "vitesses sur un tour",
     "hooke shaft": "l’arbre {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* par {point}, car *ω₄₂* est dans les plans du croisillon et des arbres"
+        "∥ *OT* par {point}, car *ω₄₂* de l’arbre 4 par rapport à 2 est dans les plans du "
+        "croisillon et des arbres"
     ),
     "hooke line 14 velocity": "∥ l’arbre 4 par {point}, axe de la fourche 4",
     "hooke line 23 velocity": "∥ *OP* par {point}, axe du croisillon dans la fourche 2",
     "hooke line 43 velocity": "∥ *OQ* par {point}, son axe dans la fourche 4",
-    "hooke line 24 acceleration": (
-        "∥ *OT* par {point}, direction de *α₄₂ₜ*, l’autre partie de *α₄₂*"
-    ),
-    "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, celle de *α₄*",
+    "hooke line 24 acceleration": "∥ *OT* par {point}, suivant *α₄₂ₜ*",
+    "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, suivant *α₄*",
     "hooke fold": (
         "Le plan du croisillon est rabattu autour de *OT* sur celui des arbres : *OP* et *OQ* y "
         "ont leur vraie direction."
     ),
     "hooke turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, qui "
-        "tourne à *τ̇* = (*ω₃* ⟂ *OT* dans le croisillon)/sin(angle des plans)."
+        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, qui tourne à "
+        "*τ̇* = (*ω₃* du croisillon, ⟂ *OT* dans son plan)/sin(angle des plans)."
     ),
     # la construction de Klein
     "klein rod": "La droite de la bielle {b}{c}, prolongée.",
@@ -733,76 +730,74 @@ PHRASES = {
     "force whole": (
         "{label} = √({known}² + {found}²) = {value} {unit} : l’effort {one:du} sur {other:le}."
     ),
-    "turning measured": "{label} = {symbol} = {value} {unit}, suivant {axis}.",
+    "turning measured": "{label} = {symbol} = {value} {unit}.",
     # --- le quadrilatère spatial
     # position
     "spatial star": "suivant *DA*",
     "spatial rose": "suivant l’axe en *A*",
     "spatial frame": (
-        "*AD* = {size} {unit} est la normale commune des axes fixes en *A* et en *D*, à {twist}° "
-        "l’un de l’autre ; le balancier glisse aussi sur celui en *D*."
+        "*AD* = {size} {unit} est la normale commune des axes en *A* et en *D*, à {twist}° ; en "
+        "*D* le balancier glisse aussi."
     ),
     "spatial crank": (
         "La manivelle *AB* = {size} {unit} est à {angle}° de *AD*, vue suivant son axe."
     ),
     "spatial b": (
-        "En *B* elle porte un axe ⟂ *AB*, à {twist}° du sien : la bielle y tourne et y glisse."
+        "L’axe en *B* est ⟂ *AB*, à {twist}° de celui en *A* ; la bielle y tourne et y glisse."
     ),
     "spatial directions": (
-        "D’un point *O*, *OA* et *OD* sont parallèles aux axes ; *OI*, à *τ* = {tau}° de *OA*, "
-        "vient du quadrilatère sphérique ayant ces angles pour arcs."
+        "*OA* et *OD* sont ∥ aux axes, *OI* à *τ* = {tau}° de *OA* comme dans le quadrilatère "
+        "sphérique ayant ces angles pour arcs."
     ),
     "spatial slides": (
-        "Trois glissements suivant les axes ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = "
-        "{d} {unit}."
+        "Trois longueurs ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
     ),
     "spatial bars": (
         "La bielle *BC* = {coupler} {unit}, et le balancier *DC* = {rocker} {unit} à *θ₄* = "
         "{theta}°."
     ),
     "spatial H": (
-        "Par rapport à la manivelle, le balancier tourne autour de l’axe *I* ∥ *OI* et glisse le "
-        "long ; *I* coupe la droite *AD* en *H*, *AH* = {height} {unit}."
+        "Par rapport à la manivelle, le balancier tourne autour de *I* ∥ *OI* et glisse suivant "
+        "*I*, qui coupe *AD* en *H* : *AH* = {height} {unit}."
     ),
     # les polygones du bas
     "spatial pole velocity": (
-        "En bas : la vitesse de *A* comme point du balancier, *a₄* ; *a* et *d*, fixes, sont au "
-        "pôle."
+        "En bas, *a₄* est *A* comme point du balancier ; *a* et *d* sont fixes."
     ),
-    "spatial pole acceleration": "En bas : l’accélération de *A* comme point du balancier, *a′₄*.",
+    "spatial pole acceleration": "Encore *a′₄*, *A* comme point du balancier.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI* : *A* tourne autour de "
         "*I*."
     ),
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* : *AH* "
-        "croît à *ḣ*, et *OI* tourne à *τ̇*."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* ; *AH* "
+        "croît à *ḣ*, *τ* à *τ̇*."
     ),
     "spatial about D": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : *A* tourne "
         "autour de *D*."
     ),
     "spatial along I": "∥ *OI* par {point}",
-    "spatial along D": "∥ *OD* par {point}, car *A* glisse suivant les deux axes",
+    "spatial along D": "∥ *OD* par {point}, car *A* glisse suivant les deux",
     # --- le quadrilatère à rotules
     # position
     "balls ahead": "devant",
     "balls behind": "derrière",
     "balls crank": (
         "En bas, vue suivant l’axe de *A* : la manivelle *AB* = {size} {unit} est à {angle}° de la "
-        "perpendiculaire commune des deux axes."
+        "perpendiculaire commune des axes."
     ),
     "balls path of C": (
         "En haut, vu suivant l’axe de *D* : *C* décrit ce cercle, *DC* = {size} {unit}."
     ),
-    "balls front": "Dans cette vue, *A* et *B* sont à l’aplomb de leur place dans celle du bas.",
+    "balls front": "Dans cette vue, *A* et *B* sont juste au-dessus.",
     "balls compass": (
         "*B* est à {height} {unit} {side} le plan de ce cercle : ici la longueur de *BC* est "
         "√({size}² − {height}²) = {reach} {unit}."
     ),
     "balls C": (
-        "*C* est à l’intersection des deux cercles : *BC* est la bielle ; le balancier *DC* est à "
-        "{theta} = {angle}° de la perpendiculaire commune."
+        "*C* est à l’intersection des deux cercles ; le balancier *DC* est à {theta} = {angle}° de "
+        "la perpendiculaire commune."
     ),
     "balls top": "Juste au-dessous, *C* complète la bielle et le balancier dans la vue du bas.",
     "balls third": (
@@ -820,38 +815,37 @@ PHRASES = {
     "balls path": "trajectoire de *C*",
     "balls remark": "tracé dans la vue de droite ; la bielle ne tourne pas autour de *BC*",
     "balls tangential velocity": (
-        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; cette vue en "
-        "montre {seen} {unit}."
+        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; sur la vue "
+        "{seen} {unit}."
     ),
     "balls tangential acceleration": (
-        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; cette vue en "
-        "montre {seen} {unit}."
+        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; sur la vue "
+        "{seen} {unit}."
     ),
     "balls normal": (
         "{label} : {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail} ; "
-        "cette vue en montre {seen} {unit}."
+        "sur la vue {seen} {unit}."
     ),
     "balls normal BC": (
-        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, de *C* vers *B*, en vraie "
-        "grandeur."
+        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, de *C* vers *B*."
     ),
     "balls line BC velocity": "⟂ *BC* par {point}, car *BC* garde sa longueur",
     "balls line DC velocity": ("∥ la trajectoire de *C* par {point}, car *C* la suit"),
-    "balls line BC acceleration": "⟂ *BC* par {point}, direction de {symbol}·*BC* dans cette vue",
-    "balls line DC acceleration": "∥ la trajectoire de *C* par {point}, celle de {symbol}·*DC*",
+    "balls line BC acceleration": "⟂ *BC* par {point}, suivant {symbol}·*BC*",
+    "balls line DC acceleration": "∥ la trajectoire de *C* par {point}, suivant {symbol}·*DC*",
     "balls coupler velocity": (
-        "{label} = {value} {unit} dans cette vue et {off} {unit} en travers, en tout {whole} "
-        "{unit} : {symbol} = {whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} sur la vue et {off} {unit} en travers, en tout {symbol} = "
+        "{whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": (
-        "{label} = {value} {unit} dans cette vue et {off} {unit} en travers, en tout {whole} "
-        "{unit} : {symbol} = {whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} sur la vue et {off} {unit} en travers, en tout {symbol} = "
+        "{whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} dans cette vue.",
+    "balls whole": "{label} = {value} {unit} sur la vue.",
     # images et tableaux de balayages, et caractéristiques
     "angle of the driver": "angle {link:du}",
     "position of the driver": "position {link:du}",

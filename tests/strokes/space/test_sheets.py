@@ -142,8 +142,8 @@ def test_every_figure_of_a_result_agrees_with_its_cell_and_its_vector(
 _F = FIGURE.pattern
 ROOT = re.compile(rf"√\(({_F})² ([+−]) ({_F})²\) = ({_F}) ")
 ASIDE = re.compile(
-    rf"= ({_F}) \S+ (?:in this view|in dieser Ansicht|dans cette vue)\D+({_F}) "
-    rf".*?(?:in all|zusammen|en tout) ({_F})[ /]"
+    rf"= ({_F}) \S+ (?:in this view|im Bild|sur la vue)\D+({_F}) "
+    rf".*?(?:together|zusammen|en tout)[^−\d]+({_F})[ /]"
 )
 SINE = rf"sin\(({_F})°\)"
 SINES = re.compile(rf"= ({_F}) × {SINE} / {SINE} = ({_F}) ")

@@ -361,6 +361,7 @@ SHEET = record(
     rows=many(ROW, FEWER),
     notation=optional(NOTATION, Notation()),
     names=optional(by_name(by_name(TEXT)), {}),
+    output=optional(TEXT, ""),
     driver=optional(DRIVER),  # of an old file it is told from the strokes
     panels=by_attribute("name", PANEL),
 )

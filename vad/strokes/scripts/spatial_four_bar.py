@@ -95,10 +95,10 @@ class Script(SlidingScript):
         known("B.sleeve", Block(at["B"], _way(at["b"])), "crank")
         self.tell("directions", tau=self.angle(self.bodies.screw.tau))
         rays = {x: Curve((star, star + RAY * reach * at[f"true {x}"])) for x in "ADI"}
+        crossing("star.O", Dot(star), label="O")
         known("star.A", rays["A"], "crank", "OA")
         known("star.D", rays["D"], "rocker", "OD")
         construction("star.I", rays["I"], "axis", "OI")
-        crossing("star.O", Dot(star), label="O")
         ray, begin = RAY * reach, bearing(at["true A"])
         twist = self.angle(fold(bearing(at["true D"]) - begin))
         self.arc(

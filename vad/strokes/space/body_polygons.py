@@ -246,7 +246,8 @@ class BodyPolygon:
     ) -> Callable[..., Sentence]:
         parts: dict[str, SentencePart] = {"symbol": symbol or self._symbol(ends)}
         parts |= {"value": Figure(value, self.unit, given), "unit": Unit(self.unit)}
-        parts["axis"] = self.names.axes[ends]
+        if given:
+            parts["axis"] = self.names.axes[ends]
         return partial(self.scene.say, phrase, **parts)
 
     def _line(self, ends: str) -> Callable[..., Sentence]:

@@ -87,12 +87,7 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
         return {
             "line": line,
             "result": partial(
-                say,
-                "turning measured",
-                symbol=symbol,
-                value=figure,
-                unit=Unit(unit),
-                axis=f"O{letter}",
+                say, "turning measured", symbol=symbol, value=figure, unit=Unit(unit)
             ),
         }
 
