@@ -29,6 +29,7 @@ from vad.plan.sketch import Sketch
 from vad.plan.stage import Stage
 
 PIXEL = 1 / 720
+HD = (1280, 720)
 #: Roles that a lens may lie on, and those of its own frame.
 FRAME = {"lens", "lens band", "lens rim", "lens place", "leader", "notes", "scale bar"}
 #: What has the page's colour is not seen at the rim.
@@ -396,3 +397,29 @@ def test_a_lens_shows_a_short_vector_between_its_dots():
     assert length < PIXEL
     factors = [lens.factor for lens in sketch.lenses if {"b′", "qₙ"} <= letters_in(sketch, lens)]
     assert [factor * length > 17 * PIXEL for factor in factors] == [True]
+
+
+@pytest.mark.exhaustive(4)
+@pytest.mark.parametrize(
+    "name", ["pantograph", "jansen-leg", "trunnion", "excavator-bucket", "leg-from-coordinates"]
+)
+def test_a_vector_within_a_lens_grows_there_while_it_is_drawn(name):
+    stage, grows = Stage(vad.draw(vad.solve(vad.load(example_path(name))())), screen(HD), KEY), 0
+    for number in range(1, stage.count):
+        items = [item for item in stage.scene(number).items if item.level is Level.LENS]
+        stands = min((i.since for i in items for m in i.marks if m.role == "lens"), default=0)
+        for item in items:
+            roles = [mark.role for mark in item.marks]
+            if roles[-1] != "head" or not item.grows:
+                # What is cut at the rim, and what was there before, is there at once.
+                assert not item.grows
+                continue
+            shaft, head = item.marks
+            ((tail, neck),) = shaft.shape.pieces
+            tips = [head.at(share).shape.rings[0][0] for share in (0.0, 0.5, 1.0)]
+            ways = [abs(tip - tail) for tip in tips]
+            assert ways[0] < 1e-9 and ways[1] == pytest.approx(ways[2] / 2)
+            assert shaft.at(1.0).shape.pieces[0][1] == pytest.approx(neck)
+            assert item.since % 2 == 1 and item.since > stands
+            grows += 1
+    assert grows

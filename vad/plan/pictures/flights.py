@@ -139,8 +139,11 @@ def travelling(
     for item in items:
         flight = own.get(item.stroke)
         home = flight and flight.polygon.setting.panel.column
-        if flight is None or item.region != home or item.level == Level.LENS:
-            found.append(item)  # a lens shows what has landed
+        if flight is None or item.region != home:
+            found.append(item)
+            continue
+        if item.level == Level.LENS:  # which shows what has landed
+            found.append(flight.landed(item))
             continue
         flies = [mark for mark in item.marks if flight.carries(mark, item)]
         if flies:

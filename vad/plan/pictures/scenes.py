@@ -23,6 +23,7 @@ from vad.plan.labels.vertices import IN_LINE, Vertex, add_letters, wish
 from vad.plan.lens import BAND, Lens, Seen, block, circle
 from vad.plan.marks import Mark, Outline, disc
 from vad.plan.pictures.lenses import Field, Spot
+from vad.plan.pictures.vectors import growths_of
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Close, Sketch
 
@@ -169,19 +170,28 @@ class Scene:
         sketch.lenses.append(lens)
 
     def _shown(self, lens: Lens) -> list[Item]:
-        """Return what a lens shows of the items of a picture, each once its stroke is drawn."""
+        """Return what a lens shows of the items of a picture, each once its stroke is drawn.
+
+        A vector that lies in it as a whole is seen as it grows, if the lens is there then.
+        """
         found: list[Item] = []
         since = self._close.since
         for item, marks in self._whole:
-            seen = [
-                replace(mark, shape=shape, growth=None, hangs=Seen(mark.hangs, lens))
-                for mark, whole in marks
-                if mark.hangs and (shape := lens.cut(whole.mapped(1.0, lens.at + lens.aside)))
-            ]
-            if seen:
-                first = max(item.since + item.grows, since)
-                if first < item.until:
-                    found.append(replace(item, level=Level.LENS, marks=tuple(seen), since=first))
+            seen: list[Mark] = []
+            whole = True
+            for mark, shape in marks:
+                placed = shape.mapped(1.0, lens.at + lens.aside)
+                if mark.hangs and (cut := lens.cut(placed)):
+                    hangs = Seen(mark.hangs, lens)
+                    seen.append(replace(mark, shape=cut, growth=None, hangs=hangs))
+                    whole = whole and cut == placed
+            growths = growths_of(item.marks, seen) if whole and since <= item.since else []
+            if growths:
+                pairs = zip(seen, growths, strict=True)
+                seen = [replace(mark, growth=growth) for mark, growth in pairs]
+            first = max(item.since + (item.grows and not growths), since)
+            if seen and first < item.until:
+                found.append(replace(item, level=Level.LENS, marks=tuple(seen), since=first))
         return found
 
     def _crowd(self, lens: Lens) -> Obstacles:

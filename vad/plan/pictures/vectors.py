@@ -387,6 +387,22 @@ def vector(
     ]
 
 
+def growths_of(marks: Sequence[Mark], shown: Sequence[Mark]) -> list[Growth]:
+    """Return how shaft and head of a vector grow that is shown in another size.
+
+    There are none for marks that are not those of a vector as a whole, which grows.
+    """
+    if len(marks) != 2 or len(shown) != 2 or marks[1].role != "head":
+        return []
+    (shaft, head), back = (mark.shape for mark in shown), isinstance(marks[0].growth, Scaling)
+    if not (marks[0].growth and isinstance(shaft, Polyline) and isinstance(head, Polygon)):
+        return []
+    ((tail, neck),), (tip, left, _, right) = shaft.pieces, head.rings[0]
+    if back:
+        return [shrunk(neck, tail), Fading(APPEARING)]
+    return [*ahead(tail, tip, abs(tip - (left + right) / 2))]
+
+
 def ahead(tail: complex, tip: complex, head: float) -> tuple[Trimming, Flying]:
     """Return the growth of a shaft, and that of the head of its length, which runs ahead.
 
