@@ -185,7 +185,7 @@ def test_a_lens_comes_with_the_last_stroke_that_it_tells_apart(quick_return: Pla
             and any(abs(ink(m.shape) - lens.at).min() < lens.radius for m in item.marks)
         ]
         assert min(item.since for item in shown) == since
-        assert not any(item.grows for item in shown)
+        assert all(item.since > since for item in shown if item.grows)
         for vertex in vertices:  # until then its letters stand beside its dot
             for letter in vertex.letters:
                 spans = [tag.span for tag in sketch.tags if letter in tag.text.split(", ")]
