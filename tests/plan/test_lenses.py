@@ -32,8 +32,6 @@ PIXEL = 1 / 720
 HD = (1280, 720)
 #: Roles that a lens may lie on, and those of its own frame.
 FRAME = {"lens", "lens band", "lens rim", "lens place", "leader", "notes", "scale bar"}
-#: What has the page's colour is not seen at the rim.
-FRAME |= {"vector casing", "whole casing"}
 
 
 @pytest.fixture(scope="module")

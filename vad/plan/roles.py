@@ -125,9 +125,7 @@ ROLES: dict[str, Role] = {
     # the polygons
     "vector": Role(line="row", width=VECTOR, linked=True),
     "vector light": _light(VECTOR),
-    "vector casing": Role(line="ground", width=1.9 * VECTOR),
     "whole": Role(line="row", width=WHOLE, linked=True),
-    "whole casing": Role(line="ground", width=2.2 * WHOLE),
     "whole light": _light(WHOLE),
     "head": Role(fill="row"),
     "break": Role(line="row", width=0.0032),

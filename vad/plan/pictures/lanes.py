@@ -1,14 +1,14 @@
 """Lanes for vectors on one line: they stand side by side, as on a road, so that none is covered.
 
-Their vertices stay where they are.  Where two vectors leave a vertex at a small angle, the later
-one lies in a gap of the page's colour.
+Their vertices stay where they are.  So do vectors that leave a vertex at so small an angle that one
+covers a good part of the other.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import accumulate, combinations, pairwise
 
 from vad.plan.geometry import direction_of
@@ -16,8 +16,8 @@ from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.vertices import COINCIDENT
 
 LANE = 1.6  # a lane's width, in pens: the heaviest of a style fits, too, and a gap
-LEVEL = 1e-9  # less is no slope
-ALONG = 0.35  # of a stroke lie on another one, if it runs along it and does not just begin there
+LEVEL, STEEP = 1e-12, 0.25  # a line with a slope beyond these is level, or crosses the other one
+ALONG = 0.4  # of the shorter stroke lie on the other one, if it does not just begin there
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,17 +63,18 @@ class Pen:
         ends = self._beside(other)
         return bool(ends) and all(abs(off) < (self.width + other.width) / 2 for _, off in ends)
 
-    def lies_along(self, other: Pen) -> float:
-        """Return for what length another stroke lies on this one, wholly or in part."""
+    def lies_along(self, other: Pen) -> bool:
+        """Tell whether a good part of the shorter of two strokes lies on the other one."""
         ends = self._beside(other)
         if not ends:
-            return 0.0
+            return False
         (low, first), (high, last) = ends
         half, slope = (self.width + other.width) / 2, (last - first) / (high - low)
-        if abs(slope) < LEVEL:
-            return high - low if abs(first) < half else 0.0
-        edges = sorted(low + (side - first) / slope for side in (-half, half))
-        return max(0.0, min(high, edges[1]) - max(low, edges[0]))
+        if abs(slope) > STEEP:
+            return False
+        edges = sorted(low + (side - first) / (slope or LEVEL) for side in (-half, half))
+        length = min(abs(self.end - self.start), abs(other.end - other.start))
+        return min(high, edges[1]) - max(low, edges[0]) > ALONG * length
 
     def _beside(self, other: Pen) -> tuple[tuple[float, float], ...]:
         """Return where both begin and end to run beside each other, and how far apart they are."""
@@ -85,25 +86,14 @@ class Pen:
         return tuple((at, first.imag + slope * (at - first.real)) for at in (low, high))
 
 
-def along_earlier(pens: Mapping[int, Pen], lanes: Mapping[int, Lane]) -> Iterator[int]:
-    """Yield the vectors that run along an earlier one, each in its lane, by their numbers.
+def lanes(pens: Mapping[int, Pen], partly: bool = False) -> dict[int, Lane]:
+    """Return the lanes of those vectors that lie on others, by their numbers.
 
-    Vectors that leave a vertex at a wider angle meet as lines do, and need no gap.
+    If ``partly``, a good part of a vector is enough: not in a turn, where it would come and go.
     """
-    aside = {number: lanes.get(number, ALONE).aside for number in pens}
-    seen = {n: replace(p, start=p.start + aside[n], end=p.end + aside[n]) for n, p in pens.items()}
-    for number, pen in seen.items():
-        for other in (each for n, each in seen.items() if n < number):
-            if other.lies_along(pen) > ALONG * abs(pen.end - pen.start) > 0.0:
-                yield number
-                break
-
-
-def lanes(pens: Mapping[int, Pen]) -> dict[int, Lane]:
-    """Return the lanes of those vectors that lie on others, by their numbers."""
     meets: dict[int, set[int]] = {}
     for one, other in combinations(pens, 2):
-        if pens[one].covers(pens[other]):
+        if pens[one].covers(pens[other]) or (partly and pens[one].lies_along(pens[other])):
             meets.setdefault(one, set()).add(other)
             meets.setdefault(other, set()).add(one)
     found: dict[int, Lane] = {}

@@ -32,7 +32,7 @@ from vad.plan.marks import (
     Trimming,
     line,
 )
-from vad.plan.pictures.lanes import ALONE, LANE, Lane, Pen, along_earlier, lanes
+from vad.plan.pictures.lanes import ALONE, LANE, Lane, Pen, lanes
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arrow, Dot, Panel, Stroke
@@ -157,9 +157,6 @@ class PlacedVector:
         Whether it is drawn from its head back to its tail.
     beside
         The lane of one that is covered, in which it is seen while it is drawn.
-    cased
-        Whether its shaft lies in a gap of the page's colour, since it runs along an earlier vector;
-        not in a turn, where the gap would come and go.
     """
 
     stroke: str
@@ -171,7 +168,6 @@ class PlacedVector:
     lane: Lane = ALONE
     back: bool = False
     beside: Lane = ALONE
-    cased: bool = False
 
     @property
     def role(self) -> str:
@@ -187,9 +183,7 @@ class PlacedVector:
             return []
         hung = Vector(self.seen[1], Anchor.of(self.stroke, "end"), self.whole, self.lane)
         if room is None or (room.holds(self.end) and room.holds(self.start)):
-            marks = hung.marks(solved, self.row, self.role, grows, self.back)
-            gap = [replace(mark, role=f"{self.role} casing", row=None) for mark in marks[:1]]
-            return [*gap, *marks] if self.cased and grows else marks
+            return hung.marks(solved, self.row, self.role, grows, self.back)
         roles = {self.role: Cut(hung, room), "head": Cut(hung.of("head"), room)}
         roles["break"] = Cut(hung, room, breaks=True)
         posed = {role: (cut.posed(solved), cut) for role, cut in roles.items()}
@@ -260,11 +254,8 @@ def place_vectors(sketch: Sketch) -> dict[int, PlacedVector]:
         for index, vector in placed.items()
         if vector.seen is not None
     }
-    found = lanes(pens)
-    for index, lane in found.items():
+    for index, lane in lanes(pens, partly=not sketch.finished).items():
         placed[index] = replace(placed[index], lane=lane)
-    for index in along_earlier(pens, found):
-        placed[index] = replace(placed[index], cased=True)
     for index, vector in placed.items():
         if vector.seen is None:
             placed[index] = replace(vector, beside=lane_beside(vector, placed.values()))
