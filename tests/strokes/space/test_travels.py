@@ -13,6 +13,8 @@ from tests.plan.overlaps import KEY
 from tests.plan.test_flights import ends, flights, near
 from vad.plan.format import screen
 from vad.plan.items import FLIGHT
+from vad.plan.marks import Flying
+from vad.plan.pictures.flights import EDGE, Flight
 from vad.plan.stage import Stage
 from vad.strokes.space.travels import LONGEST
 from vad.strokes.travels import travels
@@ -143,3 +145,16 @@ def test_no_travel_is_without_its_source():
         sheet = vad.draw(vad.solve(vad.MECHANISMS[name](), alpha=20), (one, other))
         for travel in travels(sheet).values():
             assert travel.source.partition(".")[0] in (one, other)
+
+
+def test_a_copy_that_turns_stays_where_it_is_and_is_smaller_at_an_edge():
+    sheet = vad.draw(vad.solve(vad.SpatialFourBar()))
+    stage = Stage(sheet, screen((1280, 720)), KEY, travels(sheet))
+    edges = stage.regions[FLIGHT].inside(EDGE), []
+    (item,) = (each for each in flights(stage.scene(1)) if each.stroke == "velocity.below:ay")
+    flight = Flight.of(item.stroke, travels(sheet)[item.stroke], stage.scene(1).sketches, edges)
+    (shaft,) = (m for m in item.marks if m.role == "vector" and isinstance(m.growth, Flying))
+    (tail, neck), (turned, _) = (ends(shaft, share) for share in flight.landmarks[:2])
+    assert abs(turned - tail) < 0.01
+    begun = ends(shaft, 0.0)
+    assert abs(neck - tail) < 0.8 * abs(begun[1] - begun[0])

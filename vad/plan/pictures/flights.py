@@ -41,6 +41,8 @@ SMALL = 0.035
 ARCHES = (0.08, 0.20, 0.32)
 #: A copy that turns is at least so long.
 SEEN = 0.09
+#: A copy that turns and has no room on the page is so much smaller.
+SMALLER = (1.0, 0.75, 0.5, 0.35, 0.25)
 #: So far from the edges of the page all that flies ends.
 EDGE = 0.01
 #: A stretched vector may lie so far outside of the panels; so many parts of it are looked at.
@@ -416,8 +418,8 @@ class Flight:
         leaves a view from another side is seen from that of its polygon when it lands.
         """
         (tail, head), (start, end, *_) = self.source, self.corners
-        turn, size, stretched = self.travel.turn, self.seen, self.stretched
-        tilt = stretched.degrees
+        turn, stretched = self.travel.turn, self.stretched
+        size, tilt = self.turning(stretched), stretched.degrees
         lifted, turned = (stretched._replace(factor=size, degrees=tilt - by) for by in (turn, 0.0))
         phases = {"normal": [lifted], "axial": [lifted], "image": [turned]}
         if self.grows_last:  # and back from a head that docks
@@ -425,6 +427,16 @@ class Flight:
             stretched = Leg(0.0, (1.0 - size) * away, size)
         first = Leg(0.0, self.begin, abs(head - tail) / abs(end - start), tilt - turn)
         return [first, *phases.get(self.travel.kind, [lifted, turned]), stretched, Leg(0.0, 0j)]
+
+    def turning(self, stretched: Leg) -> float:
+        """Return how large a copy is while it turns: smaller where it would leave the page."""
+        if not self.is_vector:
+            return self.seen
+
+        def off(size: float) -> float:
+            return round(abs(self.outside(self.page, stretched._replace(factor=size))), 6)
+
+        return min((share * self.seen for share in SMALLER), key=off)
 
     @property
     def begin(self) -> complex:
