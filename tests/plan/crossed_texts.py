@@ -33,6 +33,8 @@ from vad.strokes.travels import travels
 MOMENTS = 40
 #: A text with more ink does not make way.
 PALE = SAID + 0.1
+#: So wide is what belongs to a number: the comma behind it.
+SPACE = 0.012
 
 
 class Crossing(NamedTuple):
@@ -87,8 +89,10 @@ def crossings(stage: Stage, scene: int, item: Item) -> list[Crossing]:
             for text in each.at(share) if each.since == item.since else each.marks:
                 if not isinstance(text.shape, Lettering) or _comes_from(each, item, flies):
                     continue
-                box = box_of(replace(text, growth=None))
-                if any(_meets(shape, box) for shape in now):
+                boxes = [box_of(replace(text, growth=None))]
+                if flies == "number" and each.region == CAPTION and each.stroke == item.stroke:
+                    boxes = _beside(boxes[0], moving)
+                if any(_meets(shape, box) for shape in now for box in boxes):
                     key = _kind(each, text), plain(text.shape.runs)
                     inks[key] = max(text.alpha, inks.get(key, 0.0))
     return [Crossing(item.stroke, flies, *key, ink < PALE) for key, ink in inks.items()]
@@ -101,9 +105,20 @@ def _what(moving: list[Mark]) -> str:
 
 
 def _comes_from(text: Item, item: Item, flies: str) -> bool:
-    """Tell whether something flies itself, or a number leaves its caption or comes to its row."""
-    own = text.stroke == item.stroke and (text.region == CAPTION or text.grows)
-    return text.region == FLIGHT or (flies == "number" and own)
+    """Tell whether something flies itself, or a number comes to its row or is not yet said."""
+    own = text.stroke == item.stroke and text.region != CAPTION and text.grows
+    unsaid = not text.words[0] <= item.words[0] < text.words[1]
+    return text.region == FLIGHT or (flies == "number" and own) or unsaid
+
+
+def _beside(line: Rect, moving: list[Mark]) -> list[Rect]:
+    """Return the parts of a line of a caption beside the number that leaves it."""
+    [number] = [mark for mark in moving if isinstance(mark.shape, Lettering)]
+    own = box_of(replace(number, growth=None))
+    if own.top < line.bottom or line.top < own.bottom:
+        return [line]
+    parts = replace(line, right=own.left - SPACE), replace(line, left=own.right + SPACE)
+    return [part for part in parts if part.left < part.right]
 
 
 def _kind(item: Item, text: Mark) -> str:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+import vad
 from tests.plan.crossed_texts import crossings, flights, stage_of
+from vad.files.examples import example_names
 from vad.lecture.moment import Moment
 from vad.plan.board import seen
 from vad.plan.items import CAPTION, FLIGHT, TITLE, Item, Level
@@ -29,6 +31,14 @@ def test_few_words_beside_the_panels_are_crossed_and_those_are_pale(name: str, m
     words = [each.kind for each in met if each.kind != "label"]
     assert {kind: words.count(kind) for kind in words} == most
     assert all(each.pale for each in met)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
+def test_no_number_passes_through_its_caption(name: str):
+    stage = stage_of(name)
+    met = [each for flight in flights(stage) for each in crossings(stage, *flight)]
+    assert not [each for each in met if (each.flies, each.kind) == ("number", "caption")]
 
 
 def beat_of(*others: Mark, since: int = 3) -> list[Item]:

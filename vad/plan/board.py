@@ -54,7 +54,6 @@ from vad.plan.pictures.views import folds
 from vad.plan.reach import corners, extent
 from vad.plan.scale import Scale
 from vad.plan.sketch import Setting, Sketch
-from vad.strokes.diagram import POSITION
 from vad.strokes.sheet import Panel, Sheet
 from vad.strokes.telling import telling
 from vad.strokes.travel import Travel
@@ -185,7 +184,7 @@ def plan(
         sketches |= column(sheet, panel, page.panels[panel.name].drawing, form, scales)
     regions = regions_of(page)
     items = [*pictures(sketches, travels, Obstacles(regions[FLIGHT])), *found_senses(sketches)]
-    turns = roomless(sketches, (item for item in items if item.region == POSITION.panel))
+    turns = roomless(sketches, items)
     if words:
         items += [
             Item("", TITLE, Level.GROUND, tuple(title_marks(sheet, page))),

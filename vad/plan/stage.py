@@ -33,6 +33,7 @@ from vad.plan.page.free_places import box_of
 from vad.plan.page.heads import head, pale, title_marks
 from vad.plan.page.work import in_work
 from vad.plan.pictures.dimming import dimmings
+from vad.plan.pictures.roomless import roomless
 from vad.plan.pictures.senses import found_senses
 from vad.plan.pictures.sent import sent, to_rows
 from vad.plan.reach import corners, extent
@@ -162,33 +163,30 @@ class Stage:
         sketches: dict[str, Sketch] = {}
         for panel in sheet.panels:
             sketches |= self._placed(panel, page.panels[panel.name].drawing, layout)
-        turns, flies = self.whole.turns, self._travels is not None
-        work = list(in_work(sheet, large, sketches, layout.work, self._key, flies, turns))
-        words = self._words([*self._title, *self._heads(layout, sketches), *work])
-        drawn = list(pictures(sketches, self._travels, words))
+        flies = self._travels is not None
+        drawn = list(pictures(sketches, self._travels))
         own = [item for item in drawn if item.region == large.name]
         factor, shift = _fitted(own, page.panels[large.name].drawing)
         if (factor, shift) != (1.0, 0j):
             for half in large.halves:
                 sketches[half.name] = sketches[half.name].mapped(factor, shift)
-            drawn = list(pictures(sketches, self._travels, words))
-        senses = list(found_senses(sketches))
+            drawn = list(pictures(sketches, self._travels))
+        senses, heads = list(found_senses(sketches)), list(self._heads(layout, sketches))
+        turns = self.whole.turns | roomless(sketches, [*drawn, *senses])
+        work = list(in_work(sheet, large, sketches, layout.work, self._key, flies, turns))
+        words = self._words([*self._title, *heads, *work])
         if flies:
+            drawn = list(pictures(sketches, self._travels, words))
             numbers, shown = numbers_said(sheet, self._captions(sketches)), senses
             senses = [*sent(shown, numbers, words), *to_rows(work, shown, numbers, words)]
-        items = [
-            *drawn,
-            *senses,
-            *self._heads(layout, sketches),
-            *work,
-        ]
+        items = [*drawn, *senses, *heads, *work]
         regions = layout.regions
         ordered = _in_scene(in_painting_order(items, regions), number)
         dimmed = {
             beat: replace(each, region=_of(number, each.region))
             for beat, each in dimmings(drawn, sketches, self._travels).items()
         }
-        return Plan(sheet, self.form, page, regions, tuple(ordered), sketches, dimmed)
+        return Plan(sheet, self.form, page, regions, tuple(ordered), sketches, dimmed, turns)
 
     def _words(self, items: Iterable[Item]) -> Obstacles:
         """Return the words beside the panels, which flights avoid, within the room of flights.

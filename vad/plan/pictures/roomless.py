@@ -22,7 +22,8 @@ def roomless(sketches: Mapping[str, Sketch], drawn: Iterable[Item]) -> dict[str,
         return {}
     setting = sketches[POSITION.panel].setting
     turning = {*AXES, setting.sheet.driver.row}
-    marks = [mark for item in drawn for mark in item.marks if mark.role in ("term", "tag")]
+    own = [mark for item in drawn if item.region == POSITION.panel for mark in item.marks]
+    marks = [mark for mark in own if mark.role in ("term", "tag")]
     texts = [plain(mark.shape.runs) for mark in marks if isinstance(mark.shape, Lettering)]
     shown = {symbol for text in texts for symbol in text.split(", ")}
     return {

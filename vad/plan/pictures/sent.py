@@ -32,11 +32,16 @@ from vad.plan.pictures.traces import swept
 #: When the number leaves, when it arrives, and when the arrow is bent: shares of the whole.
 LEAVES, ARRIVES, BENT = 0.06, 0.55, 0.92
 #: When the arrow below the number is there; when the number fades; when the name comes.
-ARROW, FADES, NAMED = (0.06, 0.25), (0.70, 0.90), (0.80, 0.95)
+ARROW, FADES, NAMED = (0.20, 0.32), (0.70, 0.90), (0.80, 0.95)
+#: When a number has risen off its caption, and when it flies on, a little before: shares of the
+#: time of its flight.
+RISES, FLIES_ON = 0.30, 0.24
 #: How far the arrow is bent that looks straight, in degrees.
 STRAIGHT = 3.0
 #: From the baseline of a number to the arrow below it, in its size.
 BELOW = 0.5
+#: How far letters reach below their baseline, in their size.
+DESCENT = 0.25
 #: How high a number flies, of its way, to either side: the first of those that cross least text.
 ARCHES = (0.10, -0.10, 0.25, -0.25, 0.40, -0.40)
 PARTS = 24
@@ -93,11 +98,12 @@ def to_rows(
         (number, said), goal = numbers[item.stroke], mark.shape
         size = goal.size / number.size
         end = goal.at + width(without_turn(goal.runs), goal.size) - width(number.runs, goal.size)
-        arch = _arch(number, end - number.at, words.during((item.since, item.since + 1)))
+        texts = words.during((item.since, item.since + 1))
+        arch, off = _arch(number, number.at, end, texts), _off(number, texts)
         legs = []
         for share in _shares():
-            part = _part(share, LEAVES, BENT)
-            spot, ink = _between(number.at, end, part, arch), 1.0 - _part(share, BENT, 1.0)
+            part, time = _part(share, LEAVES, BENT), _time(share, LEAVES, BENT)
+            spot, ink = _between(number.at, end, time, arch, off), 1.0 - _part(share, BENT, 1.0)
             legs.append(Leg(share, spot - number.at, 1.0 + (size - 1.0) * part, 0.0, ink))
         flies = Mark(number, "letter", growth=Flying(number.at, tuple(legs)))
         span = item.since, item.since + 1
@@ -114,9 +120,9 @@ def _flying(marks: Iterable[Mark], number: Lettering, words: Obstacles) -> Itera
     wide = width(number.runs, number.size)
     # The middle of the number flies to that of the name.
     start, end = number.at + wide / 2, goal.at + width(goal.runs, goal.size) / 2
-    arch = _arch(number, end - start, words)
-    parts = [(share, _part(share, LEAVES, ARRIVES)) for share in _shares()]
-    way = [(share, _between(start, end, part, arch)) for share, part in parts]
+    arch, off = _arch(number, start, end, words), _off(number, words)
+    times = [(share, _time(share, LEAVES, ARRIVES)) for share in _shares()]
+    way = [(share, _between(start, end, time, arch, off)) for share, time in times]
     legs = [
         Leg(
             share,
@@ -173,22 +179,37 @@ def _shares() -> Iterator[float]:
 
 def _part(share: float, start: float, end: float) -> float:
     """Return how much of what takes place between two shares is done."""
-    return smooth(min(max((share - start) / (end - start), 0.0), 1.0))
+    return smooth(_time(share, start, end))
 
 
-def _arch(number: Lettering, way: complex, words: Obstacles) -> float:
+def _time(share: float, start: float, end: float) -> float:
+    """Return how much of the time between two shares is over."""
+    return min(max((share - start) / (end - start), 0.0), 1.0)
+
+
+def _arch(number: Lettering, start: complex, end: complex, words: Obstacles) -> float:
     """Return how high a number flies on its way: so that it stays on the page, past most words."""
-    wide, room = width(number.runs, number.size), words.edge
+    wide, room, off = width(number.runs, number.size), words.edge, _off(number, words)
     boxes = [each for each, _ in words.boxes]
 
     def cost(arch: float) -> tuple[bool, int]:
-        path = [number.at + _between(0j, way, part, arch) for part in _shares()]
+        ways = (_between(start, end, time, arch, off) for time in _shares())
+        path = [number.at + spot - start for spot in ways]
         strays = any(z.real < room.left or z.real + wide > room.right for z in path)
         return strays, swept([path, [z + wide for z in path]], boxes)
 
     return min(ARCHES, key=cost)
 
 
-def _between(start: complex, end: complex, part: float, arch: float) -> complex:
-    """Return a place on an arch."""
-    return start + part * (end - start) + 4.0 * part * (1.0 - part) * arch * 1j * (end - start)
+def _off(number: Lettering, words: Obstacles) -> float:
+    """Return the height at which a number and what is below it are clear of the caption."""
+    return words.edge.bottom + (BELOW + DESCENT) * number.size
+
+
+def _between(start: complex, end: complex, time: float, arch: float, off: float) -> complex:
+    """Return a place on an arch, to which a number rises first from what is said beside it."""
+    high = complex(start.real, max(start.imag, min(off, end.imag)))
+    risen, flown = _part(time, 0.0, RISES), _part(time, FLIES_ON, 1.0)
+    way = end - high
+    arched = flown * way + 4.0 * flown * (1.0 - flown) * arch * 1j * way
+    return start + risen * (high - start) + complex(arched.real, max(arched.imag, 0.0))
