@@ -201,13 +201,13 @@ def test_a_task_says_what_is_given_drawn_and_found() -> None:
 
 
 def test_a_task_has_the_dimensions_for_which_the_title_has_no_room() -> None:
-    sheet = vad.draw(vad.solve(vad.load(example_path("jansen-leg"))()))
-    said = " ".join(words(shown(posed(sheet, blank=ASKED), TASK))).replace("\xa0", " ")
-    lengths = ("Cx −38", "Cy −7.8", "FG 36.7", "FH 49")
-    assert "Further dimensions: " + ", ".join(f"{each} mm" for each in lengths) in said
-    assert "and GH 65.7 mm." in said
-    titled = " ".join(words(shown(posed(sheet, blank=ASKED), "title")))
-    assert not any(each in titled for each in lengths)
+    sheet = vad.draw(vad.solve(vad.load(example_path("beam-engine"))()), language="fr")
+    board = posed(sheet, blank=ASKED)
+    said = " ".join(words(shown(board, TASK))).replace("\xa0", " ")
+    assert "Autres dimensions : Rx −900 mm et Ry −300 mm." in said
+    titled = words(shown(board, "title"))
+    assert not any("Rx" in line or "Ry" in line for line in titled)
+    assert titled[1].endswith("Oy −1000 mm,   …")
 
 
 def test_a_task_asks_for_nothing_twice() -> None:

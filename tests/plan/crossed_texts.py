@@ -59,10 +59,14 @@ class Crossing(NamedTuple):
     pale: bool
 
 
+def kind_of(name: str) -> type:
+    """Return the class of a mechanism or of an example."""
+    return vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
+
+
 def stage_of(name: str, size: tuple[int, int] = (1280, 720)) -> Stage:
     """Return the stage of the lecture of a mechanism or an example, as it is without options."""
-    kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
-    sheet = vad.draw(vad.solve(kind()))
+    sheet = vad.draw(vad.solve(kind_of(name)()))
     return Stage(sheet, screen(size), KEY, travels(sheet))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pypdf
@@ -10,13 +11,16 @@ import pytest
 
 import vad
 from vad.errors import InputError, UsageError
-from vad.files.examples import example_path
-from vad.plan.board import plan
+from vad.files.examples import example_names, example_path
+from vad.plan.board import arrange, plan
 from vad.plan.format import screen
 from vad.plan.items import TITLE
 from vad.plan.layout import MARGIN, TOP_RULE
 from vad.plan.lettering.glyphs import width
-from vad.plan.page.heads import PAGE_TITLE, PAGE_TITLE_ABOVE, READABLE
+from vad.plan.lettering.runs import plain
+from vad.plan.page.heads import PAGE_TITLE, PAGE_TITLE_ABOVE, READABLE, title_marks, unlisted
+from vad.strokes.description import parameters
+from vad.words import text_of
 
 OWN = {"title": "Exercise 4", "subtitle": "Theory of Machines"}
 MOTION = vad.solve(vad.SliderCrank())
@@ -54,6 +58,25 @@ def test_many_parameters_beside_a_long_title_stand_in_three_lines():
         assert line.at.imag + 0.75 * line.size < 0.99
         assert line.at.imag - 0.25 * line.size > 1.0 - TOP_RULE
         assert line.at.real > name.at.real + width(name.runs, name.size)
+
+
+@pytest.mark.exhaustive(40)
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+@pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
+def test_a_title_lists_all_parameters_or_says_that_there_are_more(name: str, language: str):
+    kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
+    sheet = vad.draw(vad.solve(kind()), language=language)
+    every = [*map(text_of, parameters(sheet))]
+    for size in ((1280, 720), (960, 720)):
+        page, _ = arrange(sheet, screen(size), 0)
+        lines = [mark.shape for mark in title_marks(sheet, page) if mark.role == "notes"]
+        listed = [each for line in reversed(lines) for each in plain(line.runs).split(",   ")]
+        rest = [*map(text_of, unlisted(sheet, page))]
+        assert listed == ([*every[: -len(rest)], "…"] if rest else every)
+        if size == (1280, 720):  # all lengths have room
+            assert all(re.match(r"[A-Z][xy] ", each) for each in rest)
+        if len(every) > 8:
+            assert min(line.size for line in lines) > 0.02
 
 
 def test_a_long_title_becomes_smaller_before_the_parameters_beside_it_do():

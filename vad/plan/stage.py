@@ -172,7 +172,7 @@ class Stage:
                 sketches[half.name] = sketches[half.name].mapped(factor, shift)
             drawn = list(pictures(sketches, self._travels))
         senses, heads = list(found_senses(sketches)), list(self._heads(layout, sketches))
-        turns = self.whole.turns | roomless(sketches, [*drawn, *senses])
+        turns = {**self.whole.turns, **roomless(sketches, [*drawn, *senses])}
         work = list(in_work(sheet, large, sketches, layout.work, self._key, flies, turns))
         words = self._words([*self._title, *heads, *work])
         if flies:

@@ -6,9 +6,7 @@ It is plain text for the metadata of PNG, and for ``<title>`` and ``<desc>`` of 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 
-from vad.strokes.notation import Notation
 from vad.strokes.sheet import TWIST, Row, Sheet
 from vad.words import Language, TextPiece, text_of
 from vad.written import LOW, with_unit
@@ -31,16 +29,9 @@ def parameters(sheet: Sheet) -> list[tuple[TextPiece, ...]]:
 
     Points are symbols, as everywhere: ``AB``, ``O₄y``; the angle of a corner has its sign, ∠BAC.
     """
-    return listed(sheet.parameters, sheet.notation)
-
-
-def listed(
-    named: Sequence[tuple[str, float, str]], notation: Notation
-) -> list[tuple[TextPiece, ...]]:
-    """Return parameters as the title has them."""
     found: list[tuple[TextPiece, ...]] = []
-    for name, value, unit in named:
-        number = notation.quantity(value, unit if value else "", given=True)
+    for name, value, unit in sheet.parameters:
+        number = sheet.notation.quantity(value, unit if value else "", given=True)
         item = (*_name(name, unit), TextPiece(f" {number}"))
         if name == TWIST and found:
             found[-1] += (TextPiece(" "), *item)

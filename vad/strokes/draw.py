@@ -57,8 +57,8 @@ OF_FORCES = "position", "force", "drive"
 NO_POLES: Mapping[int, complex] = MappingProxyType({})
 #: What has no pins whose velocities of rubbing are asked for.
 NO_PINS: Mapping[str, Any] = MappingProxyType({})
-#: The largest number of parameters in a title.
-MOST = 8
+#: Of more parameters the coordinates come last.
+FEW = 8
 #: The most further points on links: with their number, the time to place their letters grows by its
 #: square.  Solving takes as many as there are names.
 MOST_POINTS = 60
@@ -205,7 +205,7 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
     return Sheet(
         mechanism=mechanism.name,
         title=scene.name(mechanism.title),
-        parameters=parameters_of(mechanism, language)[0],
+        parameters=parameters_of(mechanism, language),
         rows=clean,
         panels=tuple(finished(panel, scene.voice) for panel in drawn),
         language=language,
@@ -285,12 +285,11 @@ Named = tuple[tuple[str, float, str], ...]
 
 
 @lru_cache(maxsize=64)
-def parameters_of(mechanism: Mechanism, language: str) -> tuple[Named, Named]:
-    """Return the parameters that the title lists, and those for which it has no room.
+def parameters_of(mechanism: Mechanism, language: str) -> Named:
+    """Return the parameters that the title lists as far as it has room, the last ones least.
 
     They are all lengths and arcs, and another angle unless that is 0, or a default that is a
-    multiple of 90°.  If these are too many for a line, the title leaves out coordinates first, and
-    then the last ones.
+    multiple of 90°.
     """
     plain, unit = type(mechanism), mechanism.length_unit
     voice = Voice(language, names=mechanism.own_names)
@@ -321,12 +320,10 @@ def parameters_of(mechanism: Mechanism, language: str) -> tuple[Named, Named]:
         tail, head = points_of(mechanism.links.get(link) or _rod_ends(mechanism, link))
         shown.append((tail + name, distance, unit))
         shown += [(head + tail + name, each, "°") for each in angle if each]
-    listed = shown
-    if len(shown) > MOST:
+    if len(shown) > FEW:
         coordinates = {point + axis for point in solve(mechanism).points for axis in "xy"}
-        listed = [each for each in shown if each[0] not in coordinates][:MOST]
-    rest = [each for each in shown if each not in listed]
-    found: tuple[Named, Named] = canonical(tuple(listed)), canonical(tuple(rest))
+        shown.sort(key=lambda each: each[0] in coordinates)
+    found: Named = canonical(tuple(shown))
     return found
 
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from vad import gate
-from vad.strokes.description import listed
-from vad.strokes.draw import parameters_of
 from vad.strokes.sheet import Cell, Sheet
 from vad.words import Gap, Language, TextPiece
 from vad.written import with_unit
@@ -28,12 +26,12 @@ def checked(name: str, text: object) -> str:
     return gate.filled(name, text, LONGEST)
 
 
-def task(sheet: Sheet, blank: Collection[str]) -> tuple[Pieces, ...]:
+def task(sheet: Sheet, blank: Collection[str], more: Sequence[Pieces] = ()) -> tuple[Pieces, ...]:
     """Return the task in words, the longest form first.
 
-    The longest one begins with the values that are given, and with dimensions for which the title
-    has no room.  The next ones leave out the values, for they stand in the table, too, and refer
-    to the drawing for such dimensions.  The last one leaves out what is to be found.
+    The longest one begins with the values that are given, and with ``more`` dimensions, for which
+    the title has no room.  The next ones leave out the values, for they stand in the table, too,
+    and refer to the drawing for such dimensions.  The last one leaves out what is to be found.
     """
     language = Language(sheet.language)
     panels = [panel for panel in sheet.panels if panel.name in blank]
@@ -52,9 +50,6 @@ def task(sheet: Sheet, blank: Collection[str]) -> tuple[Pieces, ...]:
         if cell.given
     ]
     given = list(dict.fromkeys(given))
-    source = sheet.source
-    rest = parameters_of(source.mechanism, sheet.language)[1] if source else ()
-    more = listed(rest, sheet.notation)
     parts: list[list[Pieces]] = [[middle], [short]]
     if more:
         measured = _phrase(language, "task measure")

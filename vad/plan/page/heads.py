@@ -50,6 +50,10 @@ READING = 0.030
 LEAST_READING = 0.022
 #: The room that one of them takes.
 COLUMN = 0.58
+#: From the title to the parameters; what stands for those that the title does not list.
+TITLE_APART, MORE = 0.04, TextPiece("…")
+#: So many parameters stand there whatever their type; of more at least so many.
+FEW, FEWEST = 8, 4
 #: What is given in the title, each in pieces.
 Parameters = Sequence[tuple[TextPiece, ...]]
 
@@ -116,10 +120,10 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
             ("subtitle", roman(sheet.subtitle), SUBTITLE, at),
             ("title", lines[0][1], PAGE_TITLE_ABOVE, at + 1j * SUBTITLE_PITCH),
         ]
-    usual, room = TITLE_SHARE * (page.right - page.left), page.right - page.left - 0.04
+    usual, room = TITLE_SHARE * (page.right - page.left), page.right - page.left - TITLE_APART
     natural = max(width(runs, fitted(runs, *sizes, usual)) for _, runs, sizes, _ in lines)
-    least = max(width(runs, sizes[1]) for _, runs, sizes, _ in lines)
-    one, two, three = (_in_lines(parameters(sheet), count) for count in (1, 2, 3))
+    least, given = _least(sheet), _ended(parameters(sheet), _listable(sheet, page))
+    one, two, three = (_in_lines(given, count) for count in (1, 2, 3))
     if natural + _widest(one) * LEAST_PARAMETERS <= room:
         rows, largest = one, PARAMETERS
     elif least + _widest(two) * READABLE <= room:
@@ -127,13 +131,14 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
     else:
         rows, largest = three, READABLE
         low -= THREE_DROP
-    wide = _widest(rows)
+    wide, whole = _widest(rows), page.right - page.left
+    beneath = min(LEAST_PARAMETERS, whole / (_widest(one) or 1.0))
+    beside = (room - least) / (wide or 1.0)
+    if beside < min(beneath, 0.99 * READABLE) and least <= whole and not sheet.subtitle:
+        return _title_above(page, lines[0][1], _listed(one[0]), beneath)
     most, usual = room - wide * SMALLEST_PARAMETERS, min(usual, room - wide * READABLE)
     named = [_named(what, runs, at, sizes, usual, most) for what, runs, sizes, at in lines]
     size = min(largest, (room - max(width(each.runs, each.size) for each in named)) / (wide or 1.0))
-    beneath = min(LEAST_PARAMETERS, (page.right - page.left) / (_widest(one) or 1.0))
-    if size < min(beneath, 0.99 * READABLE) and not sheet.subtitle:
-        return _title_above(page, lines[0][1], _listed(one[0]), beneath)
     *below, above = named
     marks = [Mark(above, "words"), *(Mark(each, "notes") for each in below)]
     for depth, row in enumerate(reversed(rows)):
@@ -141,6 +146,39 @@ def title_marks(sheet: Sheet, page: Page) -> list[Mark]:
         at = complex(page.right - width(runs, size), low + depth * 1.25 * size)
         marks.append(Mark(Lettering(runs, at, size), "notes"))
     return marks
+
+
+def unlisted(sheet: Sheet, page: Page) -> Parameters:
+    """Return the parameters for which the title has no room in readable type: the last ones."""
+    return parameters(sheet)[_listable(sheet, page) :]
+
+
+def _listable(sheet: Sheet, page: Page) -> int:
+    """Return how many parameters the title lists: of more than a few those that are readable.
+
+    They are beside it, or in a line below it.
+    """
+    every, whole = parameters(sheet), page.right - page.left
+    room, below = whole - TITLE_APART - _least(sheet), 0.0 if sheet.subtitle else whole
+    if len(every) <= FEW:
+        return len(every)
+
+    def readable(count: int) -> bool:
+        one, three = (_widest(_in_lines(_ended(every, count), lines)) for lines in (1, 3))
+        return three * READABLE <= room or one * READABLE <= below
+
+    return next(filter(readable, range(len(every), FEWEST, -1)), FEWEST)
+
+
+def _least(sheet: Sheet) -> float:
+    """Return the width of title and subtitle in their least type."""
+    title = width(bold(roman(sheet.title)), PAGE_TITLE[1])
+    return max(title, width(roman(sheet.subtitle), SUBTITLE[1]))
+
+
+def _ended(every: Parameters, count: int) -> Parameters:
+    """Return the first parameters, with a sign that there are more, if there are."""
+    return [*every[:count], *([(MORE,)] if count < len(every) else [])]
 
 
 def _title_above(page: Page, title: Runs, listed: Runs, size: float) -> list[Mark]:

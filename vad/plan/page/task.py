@@ -25,6 +25,7 @@ from vad.plan.page.free_places import (
     meet,
     without,
 )
+from vad.plan.page.heads import unlisted
 from vad.strokes.task import task
 from vad.words import Language, TextPiece, text_of
 
@@ -154,7 +155,8 @@ def _task(
     A shorter form in large type comes before a longer one in small type, if it asks for the same.
     Where no place across the page has room for it, it stands in a ``narrow`` one.
     """
-    forms: tuple[Pieces, ...] = ((TextPiece(own),),) if own else task(key.sheet, blank)
+    more = unlisted(key.sheet, key.page)
+    forms: tuple[Pieces, ...] = ((TextPiece(own),),) if own else task(key.sheet, blank, more)
     large = tuple(size for size in SIZES if size >= LARGE)
     tried = [(form, large) for form in forms[:-1]] + [(form, SIZES) for form in forms]
     for offered in (places, places + narrow):

@@ -35,12 +35,14 @@ EQUATION_PITCH, ROW_PITCH, REMARK_PITCH, GAP = 1.32, 1.5, 1.35, 0.034
 #: The most rows of the results.
 MOST = 5
 BETWEEN = 0.022  # name, cells
-TIGHT = 0.88  # of the type, for which two cells stand side by side
+TIGHT = 0.76  # of the type, for which two cells stand side by side
 SHORT_KEY = 0.7  # of the key's length
 #: At the end of a rate's flight its number comes in its row: shares of the flight, and of ink.
 ARRIVING = ((0.9, 0.0), (1.0, 1.0))
 #: Meanwhile the number in whose place it comes goes.
 LEAVING = ((0.8, 1.0), (0.9, 0.0))
+#: What is given comes and goes so when it is used: shares of its stroke.
+USED, LEFT = ((0.1, 0.0), (0.2, 1.0)), ((0.0, 1.0), (0.1, 0.0))
 #: The panel whose results another one needs.
 NEEDS = {ACCELERATION.panel: VELOCITY.panel}
 
@@ -297,9 +299,9 @@ class _Rows:
             for number, cell in enumerate(needed):
                 place = first - 1j * number * pitch
                 yield from self._shows(cell, place, size, until)
-                if words.flies and follows:
+                if words.flies and until < FOREVER:
                     text, role = Lettering(cell.text, place, size), self._entries.role(cell.cell)
-                    mark = Mark(text, role, growth=Fading(LEAVING))
+                    mark = Mark(text, role, growth=Fading(LEAVING if follows else LEFT))
                     yield words.item(mark, since=until, until=until + 1, name=follows)
             for number, cell in enumerate(own):
                 place = first + self._second * shrink - 1j * number * pitch
@@ -309,9 +311,10 @@ class _Rows:
     def _shows(self, each: _Cell, at: complex, size: float, until: int = FOREVER) -> Iterator[Item]:
         """Yield a cell, in bold while its stroke has just measured it."""
         words, role, since = self._words, self._entries.role(each.cell), each.since
-        if each.name:
-            growth = Fading(ARRIVING) if words.flies else None
-            new = Mark(Lettering(each.bold, at, size), role, growth=growth)
+        if each.name or (since and words.flies):
+            growth = Fading(ARRIVING if each.name else USED) if words.flies else None
+            text = each.bold if each.name else each.text
+            new = Mark(Lettering(text, at, size), role, growth=growth)
             yield words.item(new, since=since, until=min(since + 1, until), name=each.name)
             since += 1
         mark = Mark(Lettering(each.text, at, size), role)

@@ -133,7 +133,7 @@ def _flying(marks: Iterable[Mark], number: Lettering, words: Obstacles) -> Itera
         )
         for share, spot in way
     ]
-    yield Mark(number, "tag", name.row, Flying(start, tuple(legs)))
+    yield Mark(number, "numeral", name.row, Flying(start, tuple(legs)))
     for mark in arrow:
         if isinstance(mark.shape, Bow):
             bow, own = mark.shape, list(_bending(mark.shape, way, number.size, goal.size))

@@ -1,0 +1,74 @@
+"""The rows beside the large panel of a scene: within a chapter they are only added to, or fade."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+import vad
+from tests.plan.crossed_texts import kind_of
+from tests.plan.overlaps import KEY
+from vad.files.examples import example_names
+from vad.plan.board import Plan
+from vad.plan.format import screen
+from vad.plan.items import FOREVER
+from vad.plan.lettering.runs import plain
+from vad.plan.marks import Fading, Lettering
+from vad.plan.page.work import parts
+from vad.plan.stage import Stage
+from vad.strokes.travels import travels
+
+EVERY = [*vad.MECHANISMS, *example_names()]
+#: A cell with the beats between which it shows, and its growth.
+Shown = tuple[str, int, int, Fading | None]
+
+
+def chapters(stage: Stage) -> Iterator[list[Shown]]:
+    """Yield the cells of each chapter of the polygons, all within its beats."""
+    for number in range(stage.count):
+        scene, panel = stage.scene(number), stage.sheet.panel(stage.layout(number).large)
+        if panel.picture == "vectors":
+            begun = [scene.sketches[p.half.name].setting.during(p.first) for p in parts(panel)]
+            for since, until in zip(begun, [*begun[1:], FOREVER], strict=True):
+                yield [
+                    (symbol, max(first, since), min(last, until), growth)
+                    for symbol, first, last, growth in cells(scene)
+                    if first < until and since < last
+                ]
+
+
+def cells(scene: Plan) -> Iterator[Shown]:
+    for item in (item for item in scene.items if item.region.endswith(":work")):
+        for mark in item.marks:
+            if isinstance(mark.shape, Lettering) and " = " in plain(mark.shape.runs):
+                symbol, _, _ = plain(mark.shape.runs).partition(" = ")
+                assert mark.growth is None or isinstance(mark.growth, Fading)
+                yield symbol, item.since, item.until, mark.growth
+
+
+def stage_of(name: str, language: str, size: tuple[int, int]) -> Stage:
+    sheet = vad.draw(vad.solve(kind_of(name)()), language=language)
+    return Stage(sheet, screen(size), KEY, travels(sheet))
+
+
+@pytest.mark.exhaustive(30)
+@pytest.mark.parametrize("language", ["en", "de", "fr"])
+@pytest.mark.parametrize("name", EVERY)
+def test_no_cell_goes_while_its_chapter_is_told(name: str, language: str):
+    for shown in chapters(stage_of(name, language, (1280, 720))):
+        last = max((until for _, _, until, _ in shown), default=0)
+        for symbol, _, until, _ in shown:
+            others = (each for each in shown if each[0] == symbol)
+            assert until == last or any(since == until for _, since, *_ in others), symbol
+
+
+@pytest.mark.exhaustive(12)
+@pytest.mark.parametrize("name", EVERY)
+def test_a_cell_that_goes_for_want_of_room_fades(name: str):
+    for shown in chapters(stage_of(name, "en", (960, 720))):
+        last = max((until for _, _, until, _ in shown), default=0)
+        for symbol, _, until, growth in shown:
+            others = (each for each in shown if each[0] == symbol)
+            if until < last and not any(since == until for _, since, *_ in others):
+                assert growth and growth.knots[-1][1] == 0.0, symbol
