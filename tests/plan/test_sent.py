@@ -19,6 +19,7 @@ from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Bending, Bow, Flying, Leg, Lettering, Mark, bent
 from vad.plan.page.quarter import without_turn
+from vad.plan.roles import HALO, ROLES
 from vad.plan.stage import Stage
 from vad.strokes.travels import found_rates, travels
 
@@ -52,6 +53,7 @@ def test_a_number_leaves_its_caption_and_its_arrow_stays(name: str, scene: int):
         caption = next(i for i in said if i.stroke == item.stroke and i.words[0] == item.words[0])
         [line] = [m.shape for m in caption.marks if m.alpha == 1.0 and m.role == "words"]
         number = only(list(item.marks), Flying)
+        assert 0.0 < ROLES[number.role].halo < HALO  # it covers little of its link
         shown = number.at(0.0)
         assert shown and isinstance(shown.shape, Lettering) and isinstance(line, Lettering)
         before, _, _ = plain(line.runs).partition(plain(shown.shape.runs))
