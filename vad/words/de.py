@@ -129,7 +129,7 @@ PHRASES = {
     "tip against": "{letter} liegt auf {link:dem}, {size} {unit} jenseits von {tail}.",
     # Polygone
     "pole velocity": "Der Pol: hier liegen {letters}, denn feste Punkte ruhen.",
-    "pole acceleration": "Der Pol: hier liegen {letters}, denn feste Punkte beschleunigen nicht.",
+    "pole acceleration": "Der Pol: hier liegen {letters}, denn feste Punkte bleiben in Ruhe.",
     "pole velocity one": (
         "Der Pol: der feste Punkt {point} hat keine Geschwindigkeit, also liegt {letters} hier."
     ),
@@ -219,7 +219,7 @@ PHRASES = {
         "{rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way}: längs {line:des} hat {slide:der} {head} {symbol} = "
+        "{label} = {value} {unit}, {way}: {slide:der} {head} hat längs {line:des} {symbol} = "
         "{rate} {unit}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",

@@ -231,8 +231,8 @@ PHRASES = {
         "{rate} {unit}."
     ),
     "measured sliding acceleration": (
-        "{label} = {value} {unit}, {way} : le long {line:du}, {slide:le} {head} a {symbol} = "
-        "{rate} {unit}."
+        "{label} = {value} {unit}, {way} : le long {line:du}, {symbol} = {rate} {unit} pour "
+        "{slide:le} {head}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
     "image velocity": "l’image des vitesses",
