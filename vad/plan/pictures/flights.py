@@ -407,8 +407,8 @@ class Flight:
 
     def ends(self, leg: Leg) -> list[complex]:
         """Return tail and head of what is seen at a leg, or the corners of an image."""
-        turn, corners = cmath.rect(leg.factor, math.radians(leg.degrees)), self.corners
-        seen = [self.centre, corners[1]] if self.is_vector else corners
+        turn = cmath.rect(leg.factor, math.radians(leg.degrees))
+        seen = [self.centre, self.centre + self.way] if self.is_vector else self.corners
         return [self.centre + turn * (z - self.centre) + leg.offset for z in seen]
 
     def stops(self) -> list[Leg]:
@@ -423,10 +423,17 @@ class Flight:
         lifted, turned = (stretched._replace(factor=size, degrees=tilt - by) for by in (turn, 0.0))
         phases = {"normal": [lifted], "axial": [lifted], "image": [turned]}
         if self.grows_last:  # and back from a head that docks
-            away = end - self.centre if self.docks else 0j
+            away = self.way if self.docks else 0j
             stretched = Leg(0.0, (1.0 - size) * away, size)
         first = Leg(0.0, self.begin, abs(head - tail) / abs(end - start), tilt - turn)
         return [first, *phases.get(self.travel.kind, [lifted, turned]), stretched, Leg(0.0, 0j)]
+
+    @property
+    def way(self) -> complex:
+        """From the tail that is seen to the head, where it lands: without a step to a lane."""
+        start, end, *_ = self.corners
+        along = direction_of(start, end)
+        return ((end - self.centre) * along.conjugate()).real * along
 
     def turning(self, stretched: Leg) -> float:
         """Return how large a copy is while it turns: smaller where it would leave the page."""
@@ -442,7 +449,7 @@ class Flight:
     def begin(self) -> complex:
         """How far it is from its place when it lies upon its source."""
         (tail, head), (start, end, *_) = self.source, self.corners
-        return tail + (head - tail) / (end - start) * (self.centre - start) - self.centre
+        return head - (head - tail) / (end - start) * self.way - self.centre
 
     @property
     def stretched(self) -> Leg:
