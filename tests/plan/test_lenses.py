@@ -10,13 +10,23 @@ import numpy as np
 import pytest
 
 import vad
-from tests.plan.knots import is_led, points_of
+from tests.plan.knots import (
+    LEAST,
+    SHORTEST,
+    TINY,
+    is_led,
+    points_of,
+    told_apart,
+    unequal,
+    vectors_of,
+)
 from tests.plan.overlaps import KEY, overlaps, planned
 from tests.plan.test_overlaps import still
 from vad.files.examples import example_names, example_path
 from vad.plan.board import Plan
 from vad.plan.format import screen
 from vad.plan.items import FOREVER, Level
+from vad.plan.labels.close import MOST
 from vad.plan.labels.placing import distance
 from vad.plan.lens import BAND, Lens
 from vad.plan.lettering.glyphs import ink_size
@@ -78,7 +88,7 @@ def letters_in(sketch: Sketch, lens: Lens) -> set[str]:
 
 def check(sketch: Sketch) -> None:
     """Check the lenses of a panel: nothing lies beneath, and all that is within is told apart."""
-    assert len(sketch.lenses) <= 3
+    assert len(sketch.lenses) <= 4
     room = sketch.setting.room
     outside = standing(sketch, lens=False)
     around = [ink(mark.shape) for mark in outside if mark.role != "construction done"]
@@ -260,6 +270,39 @@ def test_a_third_lens_stands_where_two_leave_points_that_look_like_one(
     for one, other in combinations(sketch.lenses, 2):
         assert abs(one.at - other.at) > one.radius + other.radius + 2 * BAND
     assert [letters_in(sketch, lens) for lens in sketch.lenses] == letters
+
+
+@pytest.mark.exhaustive(9)
+@pytest.mark.parametrize("name", ["watt-2", "pantograph", "pin-on-rocker", *example_names()])
+def test_the_large_panels_of_a_lesson_hide_no_vector_and_join_no_points(name: str):
+    sheet = vad.draw(vad.solve(vad.load(example_path(name))()))
+    stage = Stage(sheet, screen((1280, 720)), KEY)
+    for number in range(stage.count):
+        large = sheet.panel(stage.layout(number).large)
+        for sketch in (stage.scene(number).sketches[half.name] for half in large.halves):
+            lettered = unequal([at for letter, at in points_of(sketch) if letter])
+            pairs = [ends for ends in combinations(lettered, 2) if abs(ends[0] - ends[1]) < LEAST]
+            if len(sketch.lenses) < MOST:  # more are there for points that look like one
+                pairs += [ends for ends in vectors_of(sketch) if abs(ends[0] - ends[1]) < SHORTEST]
+            pairs = [ends for ends in pairs if abs(ends[0] - ends[1]) > TINY]
+            assert all(told_apart(sketch, *ends) for ends in pairs), sketch.setting.panel.name
+
+
+def test_a_fourth_lens_stands_where_there_is_room_for_it():
+    sheet = vad.draw(vad.solve(vad.load(example_path("pantograph"))()))
+    stage = Stage(sheet, screen((1280, 720)), KEY)
+    lenses = stage.scene(stage.count - 1).sketches["acceleration"].lenses
+    assert len(lenses) == 4
+    for one, other in combinations(lenses, 2):
+        assert abs(one.at - other.at) > one.radius + other.radius + 2 * BAND
+
+
+def test_a_lens_of_points_very_close_may_have_its_leader_across_strokes():
+    """Of two points half a pixel apart, the only free corner is on the other side of a vector."""
+    sheet = vad.draw(vad.solve(vad.load(example_path("excavator-bucket"))()))
+    sketch = planned(sheet).sketches["acceleration"]
+    check(sketch)
+    assert {"b′", "cₙ"} in [letters_in(sketch, lens) for lens in sketch.lenses]
 
 
 def test_a_drawing_is_smaller_where_its_only_lens_would_have_no_room():

@@ -19,7 +19,7 @@ from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER
 from vad.plan.labels.choices import PLACED
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import Placed, Wish, assigned, distance, near_places, place
+from vad.plan.labels.placing import Placed, Wish, _led, assigned, distance, near_places, place
 from vad.plan.lens import BAND, Lens
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Lettering
@@ -145,6 +145,42 @@ def test_a_leader_passes_no_other_dot(aside: float):
     placed = place(page, Wish(at, 1j, 0.02, 0.02, near=(), rivals=[rival]))
     assert placed.leader
     assert away(rival, placed.leader) >= 8.9 * PIXEL
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+@pytest.mark.parametrize("off", [-0.008, 0.0, 0.004])
+def test_a_leader_is_not_read_as_a_minus_sign(side: float, off: float):
+    """Beside a text it ends at a corner, not at the height of its middle."""
+    wish = Wish(0.5 + 0.5j, 1.0 + 0j, 0.08, 0.024)
+    placed = _led(wish, wish.at + side * 0.12 + 1j * off, 0.0)
+    assert placed.leader
+    start, end = placed.leader
+    assert distance(placed.box, end) < 0.006
+    assert abs(end.imag - placed.centre.imag) > 0.8 * wish.high / 2
+    assert abs((end - start).imag) > 0.1 * abs(end - start)
+
+
+@pytest.mark.exhaustive(48, of="stills")
+@pytest.mark.parametrize("step", range(12))
+@pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
+def test_no_leader_is_read_as_a_minus_sign(name: str, step: int):
+    for sheet in still(name, step):
+        for sketch in planned(sheet).sketches.values():
+            marks = [mark for item in sketch.items for mark in item.marks if mark.role == "leader"]
+            for ends in (mark.shape.pieces[0] for mark in marks):
+                if abs((ends[0] - ends[-1]).imag) > 0.1 * abs(ends[0] - ends[-1]):
+                    continue
+                for tag in sketch.tags:
+                    end = min(ends, key=lambda z: distance(tag.box, z))
+                    beside = distance(tag.box, end) < 0.008
+                    level = abs(end.imag - tag.box.centre.imag) < 0.3 * tag.box.height
+                    assert not (beside and level), tag.text
+
+
+def test_the_centre_of_a_hooke_joint_has_its_letter():
+    for angle in range(0, 360, 90):
+        sketch = planned(vad.draw(vad.solve(vad.HookeJoint(), angle=angle))).sketches["position"]
+        assert "O" in {tag.text for tag in sketch.tags}
 
 
 def test_a_leader_runs_away_from_a_dot_close_to_its_own():

@@ -25,6 +25,7 @@ from vad.plan.pictures.sense_places import Places, distances
 from vad.plan.pictures.senses import _ends, _seen_from, found_senses, placed_senses
 from vad.plan.pictures.senses_in_views import senses_in_views
 from vad.plan.problem_sheet import blank_panels, problem
+from vad.plan.stage import Stage
 from vad.strokes.reveals import measurer
 
 KEY = 0.058
@@ -309,6 +310,37 @@ def in_space(board: Plan) -> dict[str, tuple[float | complex, Item]]:
 def test_the_arc_of_an_angle_runs_between_its_pivot_and_the_links_about_it(name, angle, crossed):
     board = drawn(vad.load(example_path(name))(), angle=angle)
     assert [*links_across(board.sketches["position"])] == [crossed]
+
+
+def arcs_shown(board: Plan, stroke: str, beat: int) -> list[Bow]:
+    """Return the parts of the arc of an angle that show at a beat."""
+    items = [item for item in board.items if item.since <= beat < item.until]
+    marks = [mark for item in items if item.stroke == stroke for mark in item.marks]
+    return [mark.shape for mark in marks if mark.role == "angle"]
+
+
+def test_the_leader_of_its_value_does_not_interrupt_an_arc():
+    sheet = vad.draw(vad.solve(vad.load(example_path("toggle-press"))()))
+    scene = Stage(sheet, screen((1280, 720)), KEY).scene(0)
+    panel = scene.sketches["position"].setting.panel
+    number = panel.number("OA.angle")
+    leaders = [m for i in scene.items if i.stroke == "position:OA.angle" for m in i.marks]
+    assert "leader" in {mark.role for mark in leaders}
+    (arc,) = arcs_shown(scene, "position:OA.angle", scene.finished)
+    assert arc.sweep == pytest.approx(panel.strokes[number].shape.sweep)
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "stroke"), [(vad.Whitworth(), "AB.angle"), (vad.Whitworth(rod=300), "AB.angle")]
+)
+def test_an_arc_is_whole_until_a_stroke_crosses_it(mechanism, stroke):
+    board = drawn(mechanism)
+    setting = board.sketches["position"].setting
+    number = setting.panel.number(stroke)
+    last = arcs_shown(board, f"position:{stroke}", board.finished)
+    (first,) = arcs_shown(board, f"position:{stroke}", setting.after(number))
+    assert first.sweep == pytest.approx(setting.panel.strokes[number].shape.sweep)
+    assert len(last) > 1
 
 
 def test_a_small_angle_keeps_an_arc_that_is_long_enough():

@@ -6,7 +6,7 @@ such a place by the smallest factor that brings the points `APART`, and has the 
 it shows.  Needs that are near share one lens.
 
 Two lenses are enough for nearly all panels, and more make a panel restless.  But that no two points
-look like one comes first: where lenses leave such points, one more stands if it has room.
+look like one comes first: where lenses leave such points, one or two more stand if they have room.
 """
 
 from __future__ import annotations
@@ -33,8 +33,10 @@ TOUCHING = 0.017
 GATHERED = 40.0 * PIXEL
 #: From a vertex in a lens to its rim: room for a letter.
 LETTERED = 0.036
-#: The largest radius, beside other panels and on a page of its own, and the smallest one.
+#: The largest radius in a room of usual width and in a wide one, and the smallest one.
 LARGEST, LARGEST_ALONE, SMALLEST = 0.108, 0.135, 0.068
+#: A room is wide from here on: on a page of its own, and in the scene of a lesson.
+WIDE = 0.65
 #: The least radius of the circle about the place.
 LEAST_RING = 0.0165
 MOST = 2  # lenses in a panel, but for one more where points still look like one
@@ -119,10 +121,12 @@ def close_places(
 def untold(setting: Setting, vertices: Sequence[Vertex], close: Sequence[Close]) -> list[Need]:
     """Return the pairs of vertices that look like one where no lens of a ``close`` place helps.
 
-    Those that no lens can tell apart are not among them, nor those that are seen as two.
+    Those that no lens can tell apart are not among them; those that are seen as two are, where
+    fewer than the usual lenses stand.
     """
     needs = list(_needs(setting, vertices, ())) if len(vertices) <= MANY else []
-    needs = [need for need in needs if need.is_pressing and need.met(FACTORS[-1])]
+    few = len(close) < MOST
+    needs = [need for need in needs if (few or need.is_pressing) and need.met(FACTORS[-1])]
     for each in close:
         needs = list(_unmet(needs, each.members, each.factor))
     return needs
@@ -164,7 +168,7 @@ def _tried(
 
 def largest(setting: Setting) -> float:
     """Return the radius of a lens where there is room enough."""
-    return LARGEST if len(setting.sheet.panels) > 1 else LARGEST_ALONE
+    return LARGEST if setting.room.width < WIDE else LARGEST_ALONE
 
 
 def _needs(setting: Setting, vertices: Sequence[Vertex], far: Collection[str]) -> Iterator[Need]:

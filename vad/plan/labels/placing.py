@@ -181,12 +181,12 @@ def place_all(obstacles: Obstacles, wishes: Sequence[Wish]) -> Iterator[tuple[in
     near = {number: near_places(obstacles, wish) for number, wish in enumerate(wishes)}
     beside_dots = assigned(near)
     for number, placed in beside_dots.items():
-        if _names(placed, wishes[number]):
+        if names(placed, wishes[number]):
             _settle(obstacles, placed, wishes[number].span)
             yield number, placed
     for number, wish in enumerate(wishes):
         spot = beside_dots.get(number)
-        if spot is None or not _names(spot, wish):
+        if spot is None or not names(spot, wish):
             placed = _led_off(obstacles, wish, spot)
             _settle(obstacles, placed, wish.span)
             yield number, placed
@@ -226,7 +226,7 @@ def _moved_aside(
     return {}
 
 
-def _names(spot: Placed, wish: Wish) -> bool:
+def names(spot: Placed, wish: Wish) -> bool:
     """Tell whether a label beside its dot is seen to name that."""
     return distance(spot.box, wish.at) < BESIDE or belongs(spot.box, wish.at, wish.rivals)
 
@@ -433,7 +433,10 @@ def distance(box: Rect, point: complex) -> float:
 
 
 def _led(wish: Wish, centre: complex, off: float) -> Placed:
-    """Return a label with a leader from so far ``off`` the dot to its box, if not close by."""
+    """Return a label with a leader from so far ``off`` the dot to its box, if not close by.
+
+    Beside its dot it ends at a corner of the box: a level one would be read as a minus sign.
+    """
     at, half_x, half_y = wish.at, wish.wide / 2, wish.high / 2
     nearest = complex(
         min(max(at.real, centre.real - half_x), centre.real + half_x),
@@ -442,6 +445,8 @@ def _led(wish: Wish, centre: complex, off: float) -> Placed:
     bare = Placed(centre, wish.wide, wish.high)
     if abs(nearest - at) < wish.radius + 0.025 and belongs(bare.box, at, wish.rivals):
         return bare
+    if abs(at.imag - centre.imag) < half_y:
+        nearest += 1j * (centre.imag - at.imag - math.copysign(half_y, at.imag - centre.imag))
     way = (nearest - at) / abs(nearest - at)
     return Placed(centre, wish.wide, wish.high, (at + way * off, nearest - way * 0.005))
 

@@ -15,8 +15,10 @@ import numpy as np
 
 from vad.kinematics.numbers import direction, fold
 from vad.plan.anchors import AngleArc, Hung
+from vad.plan.items import FOREVER, Level
 from vad.plan.labels.choices import beside_arc
 from vad.plan.labels.obstacles import Obstacles
+from vad.plan.lens import block
 from vad.plan.lettering.runs import roman
 from vad.plan.marks import Bow, Trimming
 from vad.plan.reach import is_yoke
@@ -119,22 +121,46 @@ def with_angles(obstacles: Obstacles, panel: Panel, scale: Scale) -> Obstacles:
     return found
 
 
-def interrupted(sketch: Sketch, arc: Hung) -> list[Hung]:
-    """Return the arc of an angle with gaps where it would cross what is drawn, but at its ends.
+def add_arc(sketch: Sketch, index: int, arc: Hung, drawn: Obstacles) -> None:
+    """Add the arc of an angle with gaps where it would cross what is ``drawn``, but at its ends.
 
-    One that would be left in crumbs is whole, beneath the links.
+    It is whole until the first of that is there, and for good where it would be left in crumbs: it
+    lies beneath the links.
     """
     whole, bow = arc.shape, bow_of(sketch, arc)
     assert isinstance(whole, AngleArc)
-    parts = _parts(sketch.obstacles, bow)
+    parts = _parts(drawn, bow)
+    begun, crossed = sketch.setting.during(index), _crossed_from(sketch, bow)
     if _in_crumbs(parts) or parts == [(0.0, 1.0)]:
-        return [arc]
-    return [
+        sketch.hang(index, Level.CONSTRUCTION, [arc])
+        return
+    gaps = [
         replace(
             arc, shape=replace(whole, part=(low, high)), growth=Trimming(((low, 0.0), (high, 1.0)))
         )
         for low, high in parts
     ]
+    if crossed <= begun:
+        sketch.hang(index, Level.CONSTRUCTION, gaps)
+        return
+    for shown, since, until in (([arc], begun, crossed), (gaps, crossed, FOREVER)):
+        marks = [mark for each in shown if (mark := each.posed(sketch.solved, since == begun))]
+        stroke = sketch.setting.panel.strokes[index]
+        sketch.add(stroke, Level.CONSTRUCTION, since, marks, until)
+
+
+def _crossed_from(sketch: Sketch, bow: Bow) -> int:
+    """Return the beat with which the first of what stays crosses an arc; 0 where none does.
+
+    Its own value does not, whose leader ends at it.
+    """
+    for item in sorted(sketch.items, key=lambda each: each.since):
+        strokes = Obstacles(sketch.setting.room)
+        for mark in item.marks if item.until == FOREVER and item.level < Level.LABEL else ():
+            block(strokes, mark.shape, mark.width * ROLES[mark.role].width / 2)
+        if strokes.lines and _parts(strokes, bow) != [(0.0, 1.0)]:
+            return item.since
+    return 0
 
 
 def _parts(obstacles: Obstacles, bow: Bow) -> list[tuple[float, float]]:

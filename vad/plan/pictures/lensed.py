@@ -197,11 +197,12 @@ def _with_more(
 
     One that has no lens may become smaller for it, if fewer points look like one then.
     """
-    left = len(untold(setting, sketch.vertices, sketch.close)) if setting.lenses else 0
+    needs = untold(setting, sketch.vertices, sketch.close) if setting.lenses else []
+    left = len(needs)
     if not sketch.close and left > MOST_PAIRS:
         return sketch
     rooms = [room] if left else []
-    if left and not sketch.close:
+    if not sketch.close and any(need.is_pressing for need in needs):
         rooms += _smaller_rooms(setting)[:MORE_ROOMS]
     for each in rooms:
         other = labels.with_more()
@@ -346,12 +347,14 @@ def find_lenses(sketch: Sketch, choices: Sequence[Sequence[Scene]]) -> Found | N
 def find_one_more(sketch: Sketch, choices: Sequence[Sequence[Scene]]) -> Found | None:
     """Return the lenses of the first choice of close places for which there is room, and one more.
 
-    They may be smaller, so that the other has room; or there is it alone.
+    They may be smaller, so that the other has room; or there is it alone.  Where there are still
+    points that look like one, yet another stands beside them if it has room.
     """
     scenes: dict[Close, Scene] = {}
     ways = islice(ways_to_place(sketch, choices, ALL_SIZES), MORE_WAYS)
     more = (found.with_another(sketch, scenes) for found in ways)
-    return _clearest(each for each in more if each)
+    found = _clearest(each for each in more if each)
+    return found and (found.with_another(sketch, scenes) or found)
 
 
 def _clearest(ways: Iterable[Found]) -> Found | None:

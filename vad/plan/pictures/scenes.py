@@ -18,7 +18,15 @@ from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Item, Level, Span
 from vad.plan.labels.close import LEAST_RING, SMALLEST, USUAL, largest
 from vad.plan.labels.obstacles import PIXEL, Obstacles
-from vad.plan.labels.placing import CLEARANCE, Placed, distance, near_places, place_all
+from vad.plan.labels.placing import (
+    CLEARANCE,
+    Placed,
+    assigned,
+    distance,
+    names,
+    near_places,
+    place_all,
+)
 from vad.plan.labels.vertices import IN_LINE, Vertex, add_letters, wish
 from vad.plan.lens import BAND, Lens, Seen, block, circle
 from vad.plan.marks import Mark, Outline, disc
@@ -33,6 +41,8 @@ RADII = 5
 LITTLE = (0.062, 0.056)
 #: So much of a leader lies on a stroke that it crosses squarely.
 CROSSED = 7.0 * PIXEL
+#: So much of a leader may lie on strokes where points would look like one otherwise.
+CROSSED_AT_LAST = 3.0 * CROSSED
 #: The sizes of letters in a lens, and how many stand in one line.
 LETTERS = ((0.036, IN_LINE), (0.030, IN_LINE), (0.030, 2))
 #: Where there is little room, as above and then smaller, one below the other.
@@ -41,8 +51,6 @@ LITTLE_LETTERS = (*LETTERS, (0.027, 2), (0.027, 1))
 ASIDES = (0j, *(off * way for off in (0.022, 0.045) for way in (1j, -1j, -1.0 + 0j, 1.0 + 0j)))
 NEARER = ASIDES[:5]  # in a smaller lens
 INNER = 0.018
-#: Of so many vertices that look like one, letters may stand apart; at so many places that is tried.
-CROWDED, LED = 3, 3
 NEAR = (0.010, 0.014, 0.020, 0.028, 0.037)
 _SHOWN = (Level.GROUND, Level.CONSTRUCTION, Level.CARRIER, Level.BLOCK, Level.STROKE, Level.DOT)
 #: What is written about a picture, and so does not belong to the place.
@@ -126,8 +134,9 @@ class Scene:
                 return None  # letters have still less room in a smaller one
         own = [radius for radius in radii if self._view(radius)]
         setting, scale = self._sketch.setting, self._sketch.scale
+        most = CROSSED_AT_LAST if self._little else CROSSED
         for spot in field.places(setting, scale, self._close, own, little):
-            if spot.covered > CROSSED and self._close.factor > USUAL:
+            if spot.covered > most and self._close.factor > USUAL:
                 continue  # points so near are not worth a leader across the drawing
             view = self._view(spot.lens.radius)
             assert view is not None
@@ -214,7 +223,8 @@ class Scene:
     def _seen(self, radius: float) -> View | None:
         """Return what a lens shows: every vertex that it shows has its letters beside its dot.
 
-        Where one has no place, they are smaller, or the lens is moved a little over what it shows.
+        Where one has no place, they are smaller, or the lens is moved a little over what it shows,
+        or they stand apart.
         """
         sketch, settings = self._sketch, list[tuple[Lens, Close, Obstacles]]()
         needed = set(self._close.members[: self._close.needed])
@@ -233,7 +243,7 @@ class Scene:
                 if letters:
                     return View(lens, close, size, in_line, letters)
             settings.append((lens, close, crowd))
-        led = settings[:LED] if radius == self._radii[0] and len(needed) >= CROWDED else []
+        led = settings[:1] if radius in self._radii[::2] else []  # to try all takes long
         for lens, close, crowd in led:
             letters = _letters(sketch, close, lens, crowd, *self._letters[-1], led=True)
             if letters:
@@ -285,8 +295,13 @@ def _letters(
     """
     vertices = [_through(vertex, lens, in_line) for vertex in sketch.vertices]
     wishes = [wish(vertices[each], vertices, 0.0, NEAR, size) for each in close.members]
-    if not led and not all(near_places(crowd, each) for each in wishes):
-        return []
+    if not led:
+        near = {number: near_places(crowd, each) for number, each in enumerate(wishes)}
+        beside = assigned(near) if all(near.values()) else {}
+        if len(beside) < len(wishes):
+            return []
+        if all(names(placed, wishes[number]) for number, placed in beside.items()):
+            return [(close.members[number], placed) for number, placed in beside.items()]
     found = list(place_all(crowd.copy(), wishes))
     for number, placed in found:
         far = distance(placed.box, wishes[number].at) > NEAR[-1] + PIXEL

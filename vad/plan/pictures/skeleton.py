@@ -18,7 +18,7 @@ from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import Vertex, find_vertices, vertices_by_letter
 from vad.plan.marks import Trimming
 from vad.plan.pictures import angles, machine, supports
-from vad.plan.pictures.angle_arcs import angle_arcs, bow_of, interrupted, with_angles
+from vad.plan.pictures.angle_arcs import add_arc, angle_arcs, bow_of, with_angles
 from vad.plan.pictures.compasses import add_compass, add_compass_arc, block_construction
 from vad.plan.pictures.constructions import add_construction, add_drawn_line, add_square, line_of
 from vad.plan.pictures.figures import add_figures, letter_figures
@@ -281,7 +281,7 @@ class Skeleton:
         arcs: Sequence[tuple[int, Hung]],
     ) -> None:
         """Add letters, the values of angles, and the arrows of what is given."""
-        panel = sketch.setting.panel
+        panel, drawn = sketch.setting.panel, sketch.obstacles.copy()
         if not sketch.finished:  # a letter finds a place on any side of its dot
             for index, arc in arcs:
                 labels.angle(sketch, index, bow_of(sketch, arc))
@@ -293,8 +293,10 @@ class Skeleton:
         for index, arc in arcs:
             bow = bow_of(sketch, arc)
             if abs(bow.sweep) > 1e-6:
-                shown = [arc] if sketch.finished else interrupted(sketch, arc)
-                sketch.hang(index, Level.CONSTRUCTION, shown)
+                if sketch.finished:
+                    sketch.hang(index, Level.CONSTRUCTION, [arc])
+                else:
+                    add_arc(sketch, index, arc, drawn)
             if sketch.finished:
                 labels.angle(sketch, index, bow)
         if not sketch.finished:

@@ -97,7 +97,7 @@ class Script(BodyScript):
         guide("shafts.axes", Curve(axes, breaks=(2,)))
         arc, label = Arc(o, SHAFTS, 90.0, shafts.value), self.degrees(shafts)
         angle("shafts.angle", arc, label=label)
-        fixed("O.fixed", Dot(0j))
+        fixed("O.fixed", Dot(0j), label="O")
         guide("plane.axis", through(0j, AXIS + 0j))
         self.tell("P", angle=self.driven)
         known("P.circle", circle, "driving")
