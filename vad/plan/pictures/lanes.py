@@ -58,32 +58,26 @@ class Pen:
         back = other.way.conjugate()
         return (self.start - other.start) * back, (self.end - other.start) * back
 
-    def covers(self, other: Pen) -> bool:
-        """Tell whether another stroke lies on this one for a length that is seen."""
-        ends = self._beside(other)
-        return bool(ends) and all(abs(off) < (self.width + other.width) / 2 for _, off in ends)
+    def covers(self, other: Pen, partly: bool = False) -> bool:
+        """Tell whether another stroke lies on this one for a length that is seen.
 
-    def lies_along(self, other: Pen) -> bool:
-        """Tell whether a good part of the shorter of two strokes lies on the other one."""
-        ends = self._beside(other)
-        if not ends:
-            return False
-        (low, first), (high, last) = ends
-        half, slope = (self.width + other.width) / 2, (last - first) / (high - low)
-        if abs(slope) > STEEP:
-            return False
-        edges = sorted(low + (side - first) / (slope or LEVEL) for side in (-half, half))
-        length = min(abs(self.end - self.start), abs(other.end - other.start))
-        return min(high, edges[1]) - max(low, edges[0]) > ALONG * length
-
-    def _beside(self, other: Pen) -> tuple[tuple[float, float], ...]:
-        """Return where both begin and end to run beside each other, and how far apart they are."""
+        If ``partly``, a good part of the shorter one has to.
+        """
         first, last = sorted(other.seen_from(self), key=lambda end: end.real)
-        low, high = max(first.real, 0.0), min(last.real, abs(self.end - self.start))
+        length = abs(self.end - self.start)
+        low, high = max(first.real, 0.0), min(last.real, length)
         if high - low < COINCIDENT:
-            return ()
+            return False
+        half = (self.width + other.width) / 2
         slope = (last.imag - first.imag) / (last.real - first.real)
-        return tuple((at, first.imag + slope * (at - first.real)) for at in (low, high))
+        begins, ends = (first.imag + slope * (along - first.real) for along in (low, high))
+        if abs(begins) < half and abs(ends) < half:
+            return True
+        if not partly or not LEVEL < abs(slope) < STEEP:
+            return False
+        near, far = sorted((low + (half - begins) / slope, low - (half + begins) / slope))
+        shorter = min(length, abs(last - first))
+        return min(high, far) - max(low, near) > ALONG * shorter
 
 
 def lanes(pens: Mapping[int, Pen], partly: bool = False) -> dict[int, Lane]:
@@ -93,7 +87,7 @@ def lanes(pens: Mapping[int, Pen], partly: bool = False) -> dict[int, Lane]:
     """
     meets: dict[int, set[int]] = {}
     for one, other in combinations(pens, 2):
-        if pens[one].covers(pens[other]) or (partly and pens[one].lies_along(pens[other])):
+        if pens[one].covers(pens[other], partly):
             meets.setdefault(one, set()).add(other)
             meets.setdefault(other, set()).add(one)
     found: dict[int, Lane] = {}

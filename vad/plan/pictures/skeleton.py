@@ -27,7 +27,6 @@ from vad.plan.pictures.links import Links
 from vad.plan.pictures.loads import CALM, add_couple, add_load, calm_couples, free_couple
 from vad.plan.pictures.supports import Foot, PlacedRail, Rail
 from vad.plan.reach import is_curved_arrow, is_figure, is_load, is_yoke
-from vad.plan.roles import AXIS
 from vad.plan.scale import Scale
 from vad.plan.sketch import Piece, Setting, Sketch
 from vad.strokes.sheet import Arc, Arrow, Block, Dot, Guide, Line, Panel, Stroke
@@ -341,15 +340,13 @@ class Skeleton:
 
         The ground line stands half a block beside it, so no arc meets the pin's place there.
         """
-        setting, stroke = sketch.setting, sketch.setting.panel.strokes[index]
+        panel, stroke = sketch.setting.panel, sketch.setting.panel.strokes[index]
         rail = self._placed(sketch, stroke) if stroke.name in self._rails else None
         if rail is None or rail.axis:
             return
-        known = supports.axes(setting.panel, sketch.solved, sketch.obstacles)
+        known = supports.axes(panel, sketch.solved, sketch.obstacles)
         for ends in rail.uncovered(sketch.solved, [piece.blocks[0][0] for _, piece in known]):
             sketch.hang(index, Level.CONSTRUCTION, [machine.axis(*ends, Trimming())], until="end")
-            span = setting.during(index), setting.end
-            sketch.obstacles.line(sketch.solved.places(ends), AXIS / 2, span)
 
     def _named_guides(self, sketch: Sketch) -> Iterator[Vertex]:
         """Yield the points of guides that bear a letter."""
