@@ -1,8 +1,7 @@
 """The right angle between a crank and the velocity of its end, which is square to it.
 
-It stands on the mechanism from when that velocity is laid in its polygon: ab is square to AB.  It
-goes when the velocities are told, for without its caption it would say nothing.  A link with no
-fixed pivot has none: of what moves at both ends, only the velocity of one relative to
+It stands on the mechanism from when that velocity is laid in its polygon: ab is square to AB.  A
+link with no fixed pivot has none: of what moves at both ends, only the velocity of one relative to
 the other is square to it.  Nor has one where it would stand among other links.
 """
 
@@ -14,9 +13,9 @@ from itertools import pairwise
 
 import numpy as np
 
-from vad.lecture.moment import done, drawing
+from vad.lecture.moment import done
 from vad.plan.anchors import Anchor, Chains, Hung, Term
-from vad.plan.items import Item, Level
+from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.obstacles import PIXEL
 from vad.plan.marks import Polyline
 from vad.plan.pictures.constructions import SQUARE
@@ -55,12 +54,12 @@ def add_known_velocity(sketch: Sketch, size: float) -> None:
     row = setting.row(bar.link)
     hung = Hung(leg, "stub", row), Hung(square, "right angle", row)
     marks = tuple(mark for each in hung if (mark := each.posed(sketch.solved)))
-    name, number, last = laid
-    span = done(number + 1), drawing(last + 1)
     for mark in marks:
         assert isinstance(mark.shape, Polyline)
-        sketch.obstacles.line(mark.shape.pieces[0], PIXEL, span)
-    sketch.items.append(Item(name, panel.column, Level.STROKE, marks, *span))
+        sketch.obstacles.line(mark.shape.pieces[0], PIXEL)
+    name, number = laid
+    since = done(number + 1)
+    sketch.items.append(Item(name, panel.column, Level.STROKE, marks, since, FOREVER))
 
 
 def _crowded(sketch: Sketch, bar: Stroke, places: Sequence[complex], near: float) -> bool:
@@ -82,16 +81,11 @@ def _crowded(sketch: Sketch, bar: Stroke, places: Sequence[complex], near: float
     return bool((distances(np.array(spots), others) < near).any())
 
 
-def _laid(sheet: Sheet) -> tuple[str, int, int] | None:
-    """Return the stroke that lays the velocity of the crank, and the last one of the velocities.
-
-    Of the first it is the full name and the number, of the other the number.
-    """
-    told = telling(sheet)
-    last = max((n for n, each in enumerate(told) if each.chapter == VELOCITY.panel), default=0)
-    for number, (half, index, _) in enumerate(told):
+def _laid(sheet: Sheet) -> tuple[str, int] | None:
+    """Return the stroke that lays the velocity of the crank: its full name, and its number."""
+    for number, (half, index, _) in enumerate(telling(sheet)):
         stroke = half.strokes[index]
         known = stroke.kind == "known" and stroke.component == "tangential"
         if half.name == VELOCITY.panel and known and stroke.link == sheet.driver.row:
-            return half.full(stroke.name), number, last
+            return half.full(stroke.name), number
     return None
