@@ -56,8 +56,8 @@ def test_tools_and_heads_move_on_the_page_as_on_the_board(kind):
                 about, turn = complex(*centre), cmath.rect(1.0, math.radians(numbers[0]))
                 shown = [about + turn * (z - about) for z in vertices(mark, grid)]
             elif name == "lead":
-                x, y, right, down, whole = centre
-                about, by = complex(x, y), (1.0 - share) * complex(right, down)
+                right, down, whole = centre
+                about, by = vertices(mark, grid)[0], (1.0 - share) * complex(right, down)
                 size = min(1.0, share / whole)
                 shown = [by + about + size * (z - about) for z in vertices(mark, grid)]
             else:

@@ -9,7 +9,7 @@ pixels::
     ["bow", knots, x, y, radius, start, sweep]      an arc, the part of its sweep
     [… , sweep, degrees, narrow]                    of an ellipse, its axis clockwise and its ratio
     ["slide", knots]                                how far it is from its place, right and down
-    ["lead", knots, x, y, right, down, whole]       the tip of a head, from there to its start, and
+    ["lead", knots, right, down, whole]             a head, from its tip to where it starts, and
                                                     the part of its way in which it grows
     ["turn", knots, x, y]                           degrees clockwise to its place, about a point
     ["scale", knots, x, y]                          its factor, about a point
@@ -138,9 +138,9 @@ def grown(mark: Mark, grid: Grid) -> list[Any]:
             return ["swing", _knots(knots), *_at(centre, grid), _clockwise(axis)]
         case Fading(knots):
             return ["fade", _knots(knots)]
-        case Flying(centre, legs, None):  # the head of a vector, which does not turn
+        case Flying(_, legs, None):  # the head of a vector, which does not turn
             way, whole = _by(legs[0].offset, grid), _short(legs[-2].share or 1.0)
-            return ["lead", [[0, 0], [1, 1]], *_at(centre, grid), *way, whole]
+            return ["lead", [[0, 0], [1, 1]], *way, whole]
         case Flying() | Bending() | None:  # nothing leaves a panel of a page
             raise TypeError("the mark does not grow within its panel")
 

@@ -87,8 +87,8 @@ function growing(mark, [kind, knots, x, y, ...bow]) {
     bow: ([part]) => draw(() => arc(part, x, y, ...bow)),
     slide: ([right, down]) => mark.setAttribute("transform", `translate(${right} ${down})`),
     lead: ([part]) => {
-      const [right, down, whole] = bow, size = Math.min(1, part / whole), at = (z, by) => z * (1 - size) + by * (1 - part);
-      mark.setAttribute("transform", `translate(${at(x, right)} ${at(y, down)}) scale(${size})`);
+      const size = Math.min(1, part / bow[0]), [u, v] = data[0].match(/-?(\d+\.?\d*|\.\d+)/g), at = (z, by) => z * (1 - size) + by * (1 - part);
+      mark.setAttribute("transform", `translate(${at(u, x)} ${at(v, y)}) scale(${size})`);
     },
     turn: ([degrees]) => mark.setAttribute("transform", `rotate(${degrees} ${x} ${y})`),
     scale: ([factor]) => elements.forEach((each, i) => each.setAttribute("r", factor * radii[i])),
