@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import string
+from dataclasses import replace
 from importlib import import_module
 from types import SimpleNamespace
 
@@ -13,8 +14,7 @@ import vad
 import vad.words
 from tests.strokes.motions import everything, in_every_language, strokes
 from vad.errors import InputError
-from vad.strokes.description import listed
-from vad.strokes.notation import Notation
+from vad.strokes.description import parameters
 from vad.strokes.sentences import Sentence, Voice
 from vad.words import Language, _Tables, languages
 
@@ -91,13 +91,14 @@ def test_what_a_file_gives_for_a_point_has_a_name_in_every_language(
 
 
 def test_the_letter_of_a_point_is_a_symbol_wherever_it_stands() -> None:
-    named = [
+    named = (
         ("Winkel B", 60.0, "°"),
         ("B angle", 60.0, "°"),
         ("BAC", 60.0, "°"),
         ("arm", 5.0, "mm"),
-    ]
-    found = [[(p.text, p.kind) for p in item][:-1] for item in listed(named, Notation(","))]
+    )
+    sheet = replace(vad.draw(vad.solve(vad.ScotchYoke())), parameters=named)
+    found = [[(p.text, p.kind) for p in item][:-1] for item in parameters(sheet)]
     assert found == [
         [("Winkel ", "words"), ("B", "symbol")],
         [("B", "symbol"), (" angle", "words")],
