@@ -79,7 +79,6 @@ def pytest_collection_finish() -> None:
     """
     gc.enable()
     gc.collect()
-    gc.freeze()  # all that was collected stays: to look through it again and again takes a tenth
     gc.set_threshold(4_000, 10, 10)
 
 
