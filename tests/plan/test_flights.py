@@ -163,7 +163,7 @@ def shafts(board):
             yield found[item.stroke], item, flying
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_what_travels_is_its_source_times_a_rate(name):
     """ab is AB times iω, a normal component BA times ω², Coriolis' v times 2iω."""
@@ -274,7 +274,7 @@ def test_a_stretched_vector_does_not_lie_on_the_rows_of_the_table(kind):
     assert found > 1
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize(
     "name", ["stephenson-3", "sewing-machine", "leg-from-coordinates", "drag-link", "four-bar"]
 )
@@ -427,7 +427,7 @@ def test_a_vector_too_short_to_be_seen_flies_as_a_longer_one_and_shrinks_where_i
     assert all(found.values())
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(32, of="flights")
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_a_copy_stays_beside_its_source_until_it_flies(name):
     """It turns and is stretched where it has lifted off: at the end of its link, if it slides."""
@@ -448,7 +448,7 @@ def test_a_copy_stays_beside_its_source_until_it_flies(name):
                 assert abs(places[0] - pin) < STAYS, item.stroke
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(32, of="flights")
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_no_flight_has_a_kink_or_a_leap(name):
     for _, item, marks in shafts(filmed(moving(name)[1])):
@@ -463,7 +463,7 @@ def test_no_flight_has_a_kink_or_a_leap(name):
                 assert max(abs(a - b) for a, b in zip(one, other, strict=True)) < 0.09
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(32, of="flights")
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_a_copy_of_a_link_that_points_back_is_nearest_to_its_own_link(name):
     """In a small picture, too, where other links are as near as a copy usually lifts off."""

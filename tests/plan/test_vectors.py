@@ -201,7 +201,7 @@ def test_the_coriolis_acceleration_is_drawn_from_its_head(name: str):
     assert [scale(stroke.shape.start) in each for each in dots] == [False, True]
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_each_vector_is_seen_as_an_arrow_while_it_is_drawn(name: str):
     """Also one that lies along another: it stands beside that until the next stroke is drawn."""
@@ -229,7 +229,7 @@ def test_each_vector_is_seen_as_an_arrow_while_it_is_drawn(name: str):
 CROWDED = {"jansen-leg", "leg-from-coordinates"}
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(32)
 @pytest.mark.parametrize(
     "kind", [each for each in KINDS if each.name not in CROWDED], ids=lambda kind: kind.name
 )
