@@ -8,16 +8,12 @@ from typing import Any
 import pytest
 
 import vad
-from tests.kinds import KINDS
 from tests.plan.overlaps import planned
 from tests.statics.machines import MACHINES
 from tests.statics.test_equilibrium import pose
 from vad.plan.board import Plan
-from vad.plan.geometry import direction_of
 from vad.plan.items import Item, Level
-from vad.plan.labels.obstacles import PIXEL
 from vad.plan.marks import Disc, Mark, Polygon, Polyline
-from vad.plan.roles import ROLES
 from vad.strokes.sheet import Arrow, Sheet
 from vad.style import load_style, style_names
 
@@ -223,28 +219,3 @@ def test_each_vector_is_seen_as_an_arrow_while_it_is_drawn(name: str):
                 if {"head"} < {mark.role for mark in each.marks if mark.growth}
             ]
             assert arrows, stroke.name
-
-
-#: Of a leg three accelerations run along each other, and one is moved onto the third.
-CROWDED = {"jansen-leg", "leg-from-coordinates"}
-
-
-@pytest.mark.exhaustive(32)
-@pytest.mark.parametrize(
-    "kind", [each for each in KINDS if each.name not in CROWDED], ids=lambda kind: kind.name
-)
-def test_a_vector_along_another_one_stands_beside_it(kind: Any):
-    """Where two run into each other at a small angle, one would cover much of the other."""
-    items = pictured(planned(vad.draw(vad.solve(kind()))))
-    for number, item in enumerate(items):
-        [shaft] = [mark for mark in item.marks if mark.role in ("vector", "whole")]
-        start, end = ends(item)
-        for other in items[:number]:
-            [under] = [mark for mark in other.marks if mark.role in ("vector", "whole")]
-            touching = (ROLES[shaft.role].width + ROLES[under.role].width) / 2
-            spots = [start + (end - start) * share / 40 for share in range(41)]
-            turn = direction_of(start, end) * direction_of(*ends(other)).conjugate()
-            if abs(end - start) < 24 * PIXEL or abs(turn.imag) > 0.25:
-                continue  # it is too short to lie along another one, or crosses it
-            off = [beside(spot, *ends(other)) for spot in spots]
-            assert sum(each is not None and each < touching for each in off) <= 20, item.stroke

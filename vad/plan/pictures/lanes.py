@@ -1,7 +1,6 @@
 """Lanes for vectors on one line: they stand side by side, as on a road, so that none is covered.
 
-Their vertices stay where they are.  So do vectors that leave a vertex at so small an angle that one
-covers a good part of the other.
+Their vertices stay where they are.
 """
 
 from __future__ import annotations
@@ -16,8 +15,6 @@ from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.vertices import COINCIDENT
 
 LANE = 1.6  # a lane's width, in pens: the heaviest of a style fits, too, and a gap
-LEVEL, STEEP = 1e-12, 0.25  # a line with a slope beyond these is level, or crosses the other one
-ALONG = 0.4  # of the shorter stroke lie on the other one, if it does not just begin there
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,36 +55,22 @@ class Pen:
         back = other.way.conjugate()
         return (self.start - other.start) * back, (self.end - other.start) * back
 
-    def covers(self, other: Pen, partly: bool = False) -> bool:
-        """Tell whether another stroke lies on this one for a length that is seen.
-
-        If ``partly``, a good part of the shorter one has to.
-        """
+    def covers(self, other: Pen) -> bool:
+        """Tell whether another stroke lies on this one for a length that is seen."""
         first, last = sorted(other.seen_from(self), key=lambda end: end.real)
-        length = abs(self.end - self.start)
-        low, high = max(first.real, 0.0), min(last.real, length)
+        low, high = max(first.real, 0.0), min(last.real, abs(self.end - self.start))
         if high - low < COINCIDENT:
             return False
-        half = (self.width + other.width) / 2
         slope = (last.imag - first.imag) / (last.real - first.real)
-        begins, ends = (first.imag + slope * (along - first.real) for along in (low, high))
-        if abs(begins) < half and abs(ends) < half:
-            return True
-        if not partly or not LEVEL < abs(slope) < STEEP:
-            return False
-        near, far = sorted((low + (half - begins) / slope, low - (half + begins) / slope))
-        shorter = min(length, abs(last - first))
-        return min(high, far) - max(low, near) > ALONG * shorter
+        off = (first.imag + slope * (along - first.real) for along in (low, high))
+        return all(abs(each) < (self.width + other.width) / 2 for each in off)
 
 
-def lanes(pens: Mapping[int, Pen], partly: bool = False) -> dict[int, Lane]:
-    """Return the lanes of those vectors that lie on others, by their numbers.
-
-    If ``partly``, a good part of a vector is enough: not in a turn, where it would come and go.
-    """
+def lanes(pens: Mapping[int, Pen]) -> dict[int, Lane]:
+    """Return the lanes of those vectors that lie on others, by their numbers."""
     meets: dict[int, set[int]] = {}
     for one, other in combinations(pens, 2):
-        if pens[one].covers(pens[other], partly):
+        if pens[one].covers(pens[other]):
             meets.setdefault(one, set()).add(other)
             meets.setdefault(other, set()).add(one)
     found: dict[int, Lane] = {}

@@ -254,7 +254,7 @@ def place_vectors(sketch: Sketch) -> dict[int, PlacedVector]:
         for index, vector in placed.items()
         if vector.seen is not None
     }
-    for index, lane in lanes(pens, partly=not sketch.finished).items():
+    for index, lane in lanes(pens).items():
         placed[index] = replace(placed[index], lane=lane)
     for index, vector in placed.items():
         if vector.seen is None:
