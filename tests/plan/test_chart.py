@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import vad
+from tests.plan.turns import board_of
 from vad.files.examples import example_path
 from vad.plan.chart import Clock, fixed_width
 from vad.plan.format import screen
@@ -79,3 +80,13 @@ def test_the_line_above_a_mechanism_fits_its_panel(
         said.append("".join(run.text for run in text.runs))
     last = said[0] if turn.course.swing else said[-1]
     assert last.startswith(shorter) == (size == (960, 720))
+
+
+def test_a_value_that_stays_the_same_but_for_rounding_is_a_level_line():
+    """The tracer of a pantograph on a crank runs along a circle with one speed."""
+    board = board_of(vad.load(example_path("pantograph"))())
+    for name, value in (("velocity", "400.0"), ("acceleration", "3200")):
+        chart = board.charts[name]
+        assert len({chart.at(share, chart.value(share)).imag for share in (0.0, 0.3, 0.7)}) == 1
+        texts = [mark.shape for mark in chart.still() if isinstance(mark.shape, Lettering)]
+        assert ["".join(run.text for run in text.runs) for text in texts] == [value]

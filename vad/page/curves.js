@@ -9,8 +9,9 @@
 //   on        what is shown from the start
 // A drag in a curve moves what is driven.
 
-// A curve whose highest places are so many times as high as all but a few has no end.
-const SAMPLES = 361, MOST = 0.98, ENDLESS = 2;
+// A curve whose highest places are so many times as high as all but a few has no end. One that
+// changes by less than this part of its largest value is level.
+const SAMPLES = 361, MOST = 0.98, ENDLESS = 2, LEVEL = 1e-9;
 
 function curved(root, body, dock, showing) {
   const { data, solve, view } = body, { columns, tracks } = data.curves;
@@ -81,7 +82,7 @@ function curved(root, body, dock, showing) {
         // Where rates grow without end the ends of a stretch do not tell the scale.
         const usual = [all[Math.floor((1 - MOST) * (all.length - 1))] ?? 0, all[Math.ceil(MOST * (all.length - 1))] ?? 1];
         const [least, most] = all.at(-1) - all[0] < ENDLESS * (usual[1] - usual[0]) ? [all[0], all.at(-1)] : usual;
-        const [from, to] = most > least ? [least, most] : [least - 1, least + 1];
+        const [from, to] = most - least > LEVEL * Math.max(most, -least) ? [least, most] : [least - 1, least + 1];
         const y = (value) => 96 - 92 * (clamp(value, from - (to - from), to + (to - from)) - from) / (to - from);
         paths.forEach((path, k) => path.setAttribute("d", own.includes(k)
           ? line(jumped(values[i][k], units[shown]).map((value, n) => [x(places[n]), y(value)])) : ""));

@@ -48,6 +48,7 @@ BESIDE = 0.026  # right of the curve, for half of the last tick
 SMALL_DOT = 0.0048
 MARGIN = 0.008  # of the shading, above and below the curve
 CLOSEST = 0.034  # ticks nearer than this to one another lose the zero
+LEVEL = 1e-9  # of the largest value: a curve that changes less is level, but for rounding
 SIZE, LEAST = 0.030, 0.020
 SPACE = 0.9  # between its parts, in type sizes
 BASELINE = 0.032  # below the panel's upper edge
@@ -130,6 +131,8 @@ class Chart:
         self._work = cycle.work if output.curve is cycle.curves.get("drive") else None
         means = [self._work.mean] if self._work else []
         self._low, self._high = min(known + means), max(known + means)
+        if self._high - self._low <= LEVEL * max(abs(self._low), abs(self._high)):
+            self._low = self._high = (self._low + self._high) / 2
         self._ticks = {value: output.number(value, True) for value in (self._low, self._high)}
         if self._low < 0.0 < self._high:
             self._ticks[0.0] = roman("0")
