@@ -464,3 +464,23 @@ def test_a_vector_within_a_lens_grows_there_while_it_is_drawn(name):
             assert item.since % 2 == 1 and item.since > stands
             grows += 1
     assert grows
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", ["gate-actuator", *example_names()])
+def test_a_construction_line_reaches_its_crossing_within_a_lens(name: str):
+    """There, too, it goes on past the point that it finds, up to the rim."""
+    kind, met = vad.MECHANISMS.get(name) or vad.load(example_path(name)), 0
+    for sketch in planned(vad.draw(vad.solve(kind()))).sketches.values():
+        for item in (item for item in sketch.items if item.level == Level.LENS):
+            for mark in (mark for mark in item.marks if mark.role == "construction"):
+                lens, ray = mark.hangs.lens, mark.hangs.shape
+                line = sketch.solved.shape(ray.stroke)
+                crossing = lens(sketch.scale(line.until)) + ray.aside
+                if abs(crossing - lens.at) < lens.radius:
+                    [(start, end)] = mark.shape.pieces
+                    part = (crossing - start) / (end - start)
+                    assert -1e-9 < part.real < 1.0, (item.stroke, part)
+                    assert abs(part.imag) < 1e-9
+                    met += 1
+    assert met or name != "gate-actuator"

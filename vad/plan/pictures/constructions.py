@@ -51,12 +51,13 @@ COMING = Fading(((0.25, 0.0), (0.6, 1.0)))
 class Ray:
     """The anchors of a construction line: it runs through a point along a direction.
 
-    It ends past its crossing, but in its room; it may run ``aside`` of the point, in a lane.
+    It ends past its crossing, but in its room, if it has one; it may run ``aside`` of the point, in
+    a lane.
     """
 
     stroke: str
     aside: complex
-    room: Rect
+    room: Rect | None
 
     def posed(self, solved: Solved) -> Polyline:
         """Return the line in a pose."""
@@ -207,9 +208,13 @@ def _stub(
     return start, sides[0], SQUARE
 
 
-def construction_end(through: complex, direction: complex, until: complex, room: Rect) -> complex:
-    """Return where a construction line ends: past its crossing, but inside the panel."""
+def construction_end(
+    through: complex, direction: complex, until: complex, room: Rect | None
+) -> complex:
+    """Return where a construction line ends: past its crossing, but inside a room."""
     length = abs(until - through) + OVERSHOOT
+    if room is None:
+        return through + length * direction
     inner = room.inside(PENCIL)  # the pencil at its end stays inside, too
     for ahead, low, high, at in (
         (direction.real, inner.left, inner.right, through.real),

@@ -30,6 +30,7 @@ from vad.plan.labels.placing import (
 from vad.plan.labels.vertices import IN_LINE, Vertex, add_letters, wish
 from vad.plan.lens import BAND, Lens, Seen, block, circle
 from vad.plan.marks import Mark, Outline, disc
+from vad.plan.pictures.constructions import Ray
 from vad.plan.pictures.lenses import Field, Spot
 from vad.plan.pictures.vectors import growths_of
 from vad.plan.roles import ROLES
@@ -110,7 +111,7 @@ class Scene:
                 continue
             marks = [
                 (mark, shape)
-                for mark in item.marks
+                for mark in map(_whole_line, item.marks)
                 if not (mark.hangs is None or isinstance(mark.hangs, OnPage))
                 if item.until == FOREVER or mark.role == LINE
                 if mark.role not in _NOT_SHOWN and (shape := mark.hangs.posed(solved))
@@ -249,6 +250,13 @@ class Scene:
             if letters:
                 return View(lens, close, *self._letters[-1], letters)
         return None
+
+
+def _whole_line(mark: Mark) -> Mark:
+    """Return a mark that ends nowhere at the edge of its panel, as it would within a lens."""
+    return (
+        replace(mark, hangs=replace(mark.hangs, room=None)) if isinstance(mark.hangs, Ray) else mark
+    )
 
 
 def _reach(box: Rect) -> float:
