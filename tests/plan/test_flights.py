@@ -22,7 +22,8 @@ from vad.plan.format import screen
 from vad.plan.items import FLIGHT, Level
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
 from vad.plan.pictures.flights import ARCHES, EDGE, SEEN, SMALL, Flight
-from vad.plan.pictures.lifts import LIFT, apart, beside, others
+from vad.plan.pictures.lifts import LIFT, beside, others
+from vad.plan.pictures.sense_places import distances
 from vad.plan.pictures.traces import crossings, strokes_at
 from vad.plan.pictures.vectors import HEAD, HEAD_SHARE, HEAD_WHOLE
 from vad.plan.stage import Stage
@@ -479,7 +480,7 @@ def test_a_copy_of_a_link_that_points_back_is_nearest_to_its_own_link(name):
         lines = list(others(figure, tail, head))
         points = {end for line in lines for end in line} - {tail, head}
         assert min(abs(tail + by - each) for each in points) > 0.9 * abs(lift), travel
-        assert min(apart((tail + head) / 2 + by, each) for each in lines) > 0.3 * abs(lift)
+        assert distances(np.array([(tail + head) / 2 + by]), lines).min() > 0.3 * abs(lift)
 
 
 def test_nothing_flies_without_its_source():

@@ -170,13 +170,12 @@ class Stage:
         if (factor, shift) != (1.0, 0j):
             for half in large.halves:
                 sketches[half.name] = sketches[half.name].mapped(factor, shift)
-            drawn = list(pictures(sketches, self._travels))
         senses, heads = list(found_senses(sketches)), list(self._heads(layout, sketches))
         turns = {**self.whole.turns, **roomless(sketches, [*drawn, *senses])}
         work = list(in_work(sheet, large, sketches, layout.work, self._key, flies, turns))
         words = self._words([*self._title, *heads, *work])
+        drawn = list(pictures(sketches, self._travels, words))
         if flies:
-            drawn = list(pictures(sketches, self._travels, words))
             numbers, shown = numbers_said(sheet, self._captions(sketches)), senses
             senses = [*sent(shown, numbers, words), *to_rows(work, shown, numbers, words)]
         items = [*drawn, *senses, *heads, *work]

@@ -321,7 +321,7 @@ class Crowd:
         self._edge = edge
         self._size = int(edge.height / CELL) + 2, int(edge.width / CELL) + 2
         height, width = self._size
-        # Numbers that are small: differences of them come out where sums pass the largest one.
+        # Two bytes a cell: a sum that is too large begins again at 0, and differences come out.
         self._sums = np.zeros((len(poses), height + 1, width + 1), dtype=np.uint16)
         near = edge.inside(-_LONGEST / 4)
         for sums, pose in zip(self._sums, poses, strict=True):  # those of all would fill memory

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
+import numpy as np
+
+from vad.plan.labels.obstacles import Complexes, Reals
+from vad.plan.pictures.sense_places import Bar, distances
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arrow, Curve, Dot, Plate
 
-Line = tuple[complex, complex]
 #: How far a copy lifts off what it is made of, and as shares of that how far between other links.
 LIFT, LOWER = 0.04, (1.0, 0.75, 0.5, 0.35)
 #: So many parts of a copy are looked at.
@@ -31,19 +34,19 @@ def beside(figure: Sketch, tail: complex, head: complex) -> float:
 
     def free(lift: float) -> float:
         by = lift * 1j * way
-        copy = [tail + by + part / PARTS * (head - tail) for part in range(PARTS + 1)]
-        alone = sum(_share(at, rivals, lift) for at in copy) / len(copy)
-        return round(alone + _share(tail + by, ends, lift), 6)
+        copy = np.array([tail + by + part / PARTS * (head - tail) for part in range(PARTS + 1)])
+        alone = _shares(copy, rivals, lift).mean() + _shares(copy[:1], ends, lift)[0]
+        return round(float(alone), 6)
 
     return max(tried, key=free)
 
 
-def _share(at: complex, lines: Sequence[Line], lift: float) -> float:
-    """Return how far the nearest line is from a place, as a share of a lift, 1 at most."""
-    return min([1.0, *(apart(at, each) / abs(lift) for each in lines)])
+def _shares(copy: Complexes, lines: Sequence[Bar], lift: float) -> Reals:
+    """Return how far the nearest line is from each place, as a share of a lift, 1 at most."""
+    return np.minimum(distances(copy, lines) / abs(lift), 1.0)
 
 
-def others(figure: Sketch, tail: complex, head: complex) -> Iterator[Line]:
+def others(figure: Sketch, tail: complex, head: complex) -> Iterator[Bar]:
     """Yield the ends of lines and points of a mechanism but for those of a link and its ends."""
     scale, own = figure.scale, {tail, head}
     for stroke in figure.setting.panel.strokes:
@@ -62,17 +65,3 @@ def others(figure: Sketch, tail: complex, head: complex) -> Iterator[Line]:
             ends = scale(start), scale(end)
             if not own.issuperset(ends):
                 yield ends
-
-
-def apart(at: complex, line: Line) -> float:
-    """Return how far a point is from a straight line with two ends, or from a point.
-
-    Examples
-    --------
-    >>> apart(1 + 1j, (0j, 2 + 0j)), apart(4 + 1j, (0j, 4 + 0j)), apart(1j, (0j, 0j))
-    (1.0, 1.0, 1.0)
-    """
-    start, end = line
-    way = end - start
-    share = ((at - start) * way.conjugate()).real / abs(way) ** 2 if way else 0.0
-    return abs(at - start - min(max(share, 0.0), 1.0) * way)
