@@ -142,3 +142,17 @@ def test_a_point_in_line_of_a_link_that_does_not_turn_is_found_without_a_proport
         (said,) = (s.caption for s in sheet.panel(panel).strokes if s.name == "E.image")
         assert said.startswith(letter)
         assert not any(sign.isdigit() for sign in said)
+
+
+def test_a_caption_says_that_a_vector_is_too_short_to_be_seen() -> None:
+    """At 0.012 rad/s a link has a normal acceleration that no lens shows."""
+    motion = vad.solve(vad.load(example_path("jansen-leg"))())
+    (panel,) = vad.draw(motion, panels=("acceleration",)).panels
+    sizes = {
+        stroke.label: abs(stroke.shape.end - stroke.shape.start)
+        for stroke in panel.strokes
+        if isinstance(stroke.shape, Arrow)
+    }
+    told = {stroke.label for stroke in panel.strokes if "too short" in stroke.caption}
+    assert told == {label for label, size in sizes.items() if size < 1e-3 * max(sizes.values())}
+    assert told == {"e′gₙ"}

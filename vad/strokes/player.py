@@ -29,7 +29,9 @@ from vad.strokes.vector_equations import NOTHING, Chain, Part, Side, V, VectorEq
 
 
 class PencilCaptions(Protocol[V]):
-    """The captions that a pencil asks for."""
+    """The captions that a pencil asks for; ``say`` makes a sentence of a phrase and its parts."""
+
+    say: Callable[..., Sentence]
 
     def known(self, label: str, part: Part[V]) -> Sentence:
         """Calculate a component that is known before the lines cross."""
@@ -45,6 +47,10 @@ class PencilCaptions(Protocol[V]):
 
     def whole(self, label: str, size: float, vector: V) -> Sentence | str:
         """State the length of a whole vector, whose components are drawn already."""
+
+
+#: A vector shorter than this share of the longest one is not seen, even in a lens.
+UNSEEN = 2e-4
 
 
 class Tip:
@@ -88,7 +94,7 @@ class Pencil(Generic[V]):
         self.place = place
         self.resting = longest == 0.0
         self.fixed = fixed
-        self._nothing = NOTHING * longest
+        self._nothing, self._unseen = NOTHING * longest, UNSEEN * longest
         self.from_pole = from_pole
         self.strokes: list[Stroke] = []
         self.zeros: list[Stroke] = []
@@ -100,11 +106,17 @@ class Pencil(Generic[V]):
         return not self.resting and abs(vector) > self._nothing
 
     def add(self, stroke: Stroke) -> Stroke:
-        """Append a stroke and return it.  A polygon at rest has no stroke but the pole."""
+        """Append a stroke and return it.  A polygon at rest has no stroke but the pole.
+
+        The caption of a vector that nobody will see says so.
+        """
         if self.resting:
             self.leave_out(stroke)
-        else:
-            self.strokes.append(stroke)
+            return stroke
+        match stroke.shape:
+            case Arrow(start, end) if stroke.said and abs(end - start) < self._unseen:
+                stroke = replace(stroke, said=self.words.say("too small", said=stroke.said))
+        self.strokes.append(stroke)
         return stroke
 
     def begin(self, said: Sentence, rows: tuple[str, ...] = ()) -> None:

@@ -223,6 +223,7 @@ PHRASES = {
         "{rate} {unit}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
+    "too small": "{said} Dieser Vektor ist in diesem Maßstab zu kurz, um sichtbar zu sein.",
     "image velocity": "dem Geschwindigkeitsbild",
     "image acceleration": "dem Beschleunigungsbild",
     "image": (

@@ -232,6 +232,7 @@ PHRASES = {
         "{rate} {unit}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
+    "too small": "{said} This vector is too short to be seen at this scale.",
     "image velocity": "the velocity image",
     "image acceleration": "the acceleration image",
     "image": (

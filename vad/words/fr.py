@@ -235,6 +235,7 @@ PHRASES = {
         "{slide:le} {head}."
     ),
     "whole": "{label} = {value} {unit}, {whose}.",
+    "too small": "{said} À cette échelle, ce vecteur est trop court pour être visible.",
     "image velocity": "l’image des vitesses",
     "image acceleration": "l’image des accélérations",
     "image": (
