@@ -219,3 +219,40 @@ def test_each_vector_is_seen_as_an_arrow_while_it_is_drawn(name: str):
                 if {"head"} < {mark.role for mark in each.marks if mark.growth}
             ]
             assert arrows, stroke.name
+            lasting = [each for each in pictured(board) if each.stroke == half.full(stroke.name)]
+            if not lasting and over < board.finished:
+                joins_one_that_stays(board, arrows[0], over)
+
+
+def joins_one_that_stays(board: Plan, arrow: Item, over: int) -> None:
+    """Check that a vector that stood beside another lies on it before it is gone."""
+    (item,) = (
+        each
+        for each in board.items
+        if (each.stroke, each.since) == (arrow.stroke, over) and each.level == Level.STROKE
+    )
+    roles = ("vector", "whole", "head")
+    was = [mark.at(1.0).shape for mark in arrow.marks if mark.role in roles]
+    for one, other in zip(was, (mark.at(0.0).shape for mark in item.marks), strict=True):
+        rings = one.pieces + other.pieces if isinstance(one, Polyline) else one.rings + other.rings
+        assert all(abs(a - b) < 1e-9 for a, b in zip(*rings, strict=True)), arrow.stroke
+    start, end = item.marks[0].at(1.0).shape.pieces[0]
+    covers = [ends(each) for each in pictured(board) if each.region == item.region]
+    assert min(abs(start - tail) + abs(end - head) for tail, head in covers) < 0.04, arrow.stroke
+
+
+@pytest.mark.parametrize("angle", [60, 200])
+def test_a_covered_vector_moves_onto_the_one_that_covers_it(angle: int):
+    """The normal part of BC is too short to be told, so b′c′ lies on the tangential part."""
+    motion = vad.solve(vad.FourBar(), angle=angle)
+    sheet = vad.draw(motion)
+    board = planned(sheet, lesson=True)
+    panel, setting = sheet.panel("acceleration"), board.sketches["acceleration"].setting
+    found = 0
+    for index, stroke in enumerate(panel.strokes):
+        own = [each for each in board.items if each.stroke == panel.full(stroke.name)]
+        arrows = [each for each in own if {"head"} < {mark.role for mark in each.marks}]
+        if arrows and isinstance(stroke.shape, Arrow) and not {*arrows} & {*pictured(board)}:
+            joins_one_that_stays(board, arrows[-1], setting.over(index))
+            found += 1
+    assert found == (angle == 60)

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from vad.kinematics.numbers import minimum
+from vad.lecture.moment import finished
 from vad.plan.anchors import Anchor, Solved
 from vad.plan.geometry import SHORTEST, Rect, direction_of, normal_of
 from vad.plan.items import FOREVER, Level
@@ -29,6 +30,7 @@ from vad.plan.marks import (
     Polygon,
     Polyline,
     Scaling,
+    Sliding,
     Trimming,
     line,
 )
@@ -45,6 +47,7 @@ HEAD_SHARE = 0.6
 NECK = 0.66  # of the head's length, from the tip to where the shaft ends
 TIP_GAP = 0.006
 APPEARING = ((0.0, 0.0), (0.15, 1.0))  # of a head from which its vector is drawn
+JOINED = 0.6  # of the next stroke: a vector that is covered lies on the one that covers it
 EDGE = 0.010  # from the edge of its room, a vector that leaves it ends
 #: How far before that it is broken, by how much, and half of the two strokes beside the gap.
 BREAK, GAP, ACROSS = 0.022, 0.009, 0.010 * cmath.rect(1.0, math.radians(65.0))
@@ -155,8 +158,9 @@ class PlacedVector:
         Where it runs beside vectors on the same line.
     back
         Whether it is drawn from its head back to its tail.
-    beside
-        The lane of one that is covered, in which it is seen while it is drawn.
+    beside, upon
+        The lane of one that is covered, in which it is seen while it is drawn; and that of the one
+        that covers it, onto which it then moves.
     """
 
     stroke: str
@@ -168,6 +172,7 @@ class PlacedVector:
     lane: Lane = ALONE
     back: bool = False
     beside: Lane = ALONE
+    upon: Lane = ALONE
 
     @property
     def role(self) -> str:
@@ -192,6 +197,17 @@ class PlacedVector:
     def within(self, room: Rect) -> tuple[complex, complex] | None:
         """Return the ends of its visible part in a room; None if nothing is visible."""
         return room.inside(EDGE).clipped(self.seen[0], self.end) if self.seen else None
+
+    def aside(self) -> list[Mark]:
+        """Return one that is covered, as it grows beside the one that covers it."""
+        return vector(self.start, self.end, self.row, self.role, self.whole, self.beside)
+
+    def joining(self) -> list[Mark]:
+        """Return one that is covered, as it moves onto the one that covers it."""
+        ends, off = (self.start, self.end), self.beside.aside - self.upon.aside
+        marks = vector(*ends, self.row, self.role, self.whole, self.upon, grows=False)
+        moves = Sliding(((0.0, off), (JOINED, 0j)))
+        return [replace(mark, growth=moves) for mark in marks]
 
     def light(self) -> Mark:
         """Return the light beneath it while it is drawn."""
@@ -258,20 +274,24 @@ def place_vectors(sketch: Sketch) -> dict[int, PlacedVector]:
         placed[index] = replace(placed[index], lane=lane)
     for index, vector in placed.items():
         if vector.seen is None:
-            placed[index] = replace(vector, beside=lane_beside(vector, placed.values()))
+            beside, upon = lanes_of_covered(vector, placed.values())
+            placed[index] = replace(vector, beside=beside, upon=upon)
     return placed
 
 
-def lane_beside(vector: PlacedVector, others: Iterable[PlacedVector]) -> Lane:
-    """Return the lane of a vector beside one that covers it, on the side on which it truly lies."""
+def lanes_of_covered(vector: PlacedVector, others: Iterable[PlacedVector]) -> tuple[Lane, Lane]:
+    """Return the lane of a vector beside one that covers it, and the lane of that one.
+
+    It stands on the side on which it truly lies.
+    """
     way = 1j * direction_of(vector.start, vector.end)
-    off = 0.0
+    off, upon = 0.0, ALONE
     for other in others:
         if other.seen is not None and joins(other.start, other.end, vector.start, vector.end):
             by = vector.start + vector.end - other.start - other.end - 2 * other.lane.aside
-            off = off or (by * way.conjugate()).real
+            off, upon = off or (by * way.conjugate()).real, other.lane
     wide = LANE * (ROLES["vector"].width + ROLES[vector.role].width) / 2
-    return Lane((wide if off >= 0.0 else -wide) * way)
+    return replace(upon, aside=(wide if off >= 0.0 else -wide) * way), upon
 
 
 def joins(tail: complex, head: complex, start: complex, end: complex) -> bool:
@@ -298,11 +318,12 @@ def add_vector(sketch: Sketch, index: int, placed: PlacedVector) -> None:
     setting = sketch.setting
     stroke, during = setting.panel.strokes[index], setting.during(index)
     if not sketch.finished:
-        shown = [placed.light()]
+        shown, over = [placed.light()], setting.over(index)
         if placed.seen is None:
-            ends = placed.start, placed.end
-            shown += vector(*ends, placed.row, placed.role, placed.whole, placed.beside)
-        sketch.add(stroke, Level.STROKE, during, shown, setting.over(index))
+            shown += placed.aside()
+            if over < finished(sum(len(half.strokes) for half in setting.sheet.halves)):
+                sketch.add(stroke, Level.STROKE, over, placed.joining(), over + 1)
+        sketch.add(stroke, Level.STROKE, during, shown, over)
     marks = placed.marks(sketch.solved, not sketch.finished)
     sketch.add(stroke, Level.STROKE, during, marks)
     placed.block(sketch.obstacles, during)
