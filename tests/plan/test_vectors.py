@@ -14,6 +14,8 @@ from tests.statics.test_equilibrium import pose
 from vad.plan.board import Plan
 from vad.plan.items import Item, Level
 from vad.plan.marks import Disc, Mark, Polygon, Polyline
+from vad.plan.pictures.lanes import LANE
+from vad.plan.roles import VECTOR
 from vad.strokes.sheet import Arrow, Sheet
 from vad.style import load_style, style_names
 
@@ -123,6 +125,16 @@ def test_a_vector_alone_lies_on_its_line():
             arrow = panel.strokes[panel.number(item.stroke.partition(":")[2])].shape
             assert isinstance(arrow, Arrow)
             assert ends(item)[0] == scale(arrow.start)
+
+
+def test_a_short_vector_that_meets_others_at_an_angle_takes_no_lane():
+    """Beside zb′ the Coriolis acceleration of the gate is half a lane off its points, not one."""
+    sheet, board = drawn("gate-actuator", {})
+    panel, scale = sheet.panel("acceleration"), board.sketches["acceleration"].scale
+    for item in pictured(board):
+        if item.region == "acceleration":
+            arrow = panel.strokes[panel.number(item.stroke.partition(":")[2])].shape
+            assert abs(ends(item)[0] - scale(arrow.start)) < LANE * VECTOR * 0.51, item.stroke
 
 
 def test_a_vector_keeps_to_the_side_on_which_it_lies():

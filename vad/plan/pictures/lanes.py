@@ -15,6 +15,9 @@ from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.vertices import COINCIDENT
 
 LANE = 1.6  # a lane's width, in pens: the heaviest of a style fits, too, and a gap
+#: The sine of an angle: vectors that meet at a larger one lie on lines of their own, short as they
+#: may be.
+OBLIQUE = 0.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +60,8 @@ class Pen:
 
     def covers(self, other: Pen) -> bool:
         """Tell whether another stroke lies on this one for a length that is seen."""
+        if abs((other.way * self.way.conjugate()).imag) > OBLIQUE:
+            return False
         first, last = sorted(other.seen_from(self), key=lambda end: end.real)
         low, high = max(first.real, 0.0), min(last.real, abs(self.end - self.start))
         if high - low < COINCIDENT:
