@@ -548,7 +548,7 @@ PHRASES = {
     "hooke speeds": "Drehzahlen über einen Umlauf",
     "hooke shaft": "Welle {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* durch {point}, denn *ω₄₂* liegt in den Ebenen von Kreuz und Wellen"
+        "∥ *OT* durch {point}, denn *ω₄₂* von Welle 4 relativ zu 2 liegt in beiden Ebenen"
     ),
     "hooke line 14 velocity": "∥ Welle 4 durch {point}, die Achse der Gabel 4",
     "hooke line 23 velocity": (

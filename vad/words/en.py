@@ -534,7 +534,7 @@ PHRASES = {
     "hooke speeds": "speeds over a turn",
     "hooke shaft": "shaft {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* through {point}, as *ω₄₂* lies in the planes of both cross and shafts"
+        "∥ *OT* through {point}, as *ω₄₂* of shaft 4 relative to 2 lies in both planes"
     ),
     "hooke line 14 velocity": "∥ shaft 4 through {point}, as yoke 4 turns about it",
     "hooke line 23 velocity": "∥ *OP* through {point}, as the cross turns about *OP* in yoke 2",

@@ -544,7 +544,7 @@ PHRASES = {
     "hooke speeds": "vitesses sur un tour",
     "hooke shaft": "l’arbre {shaft}",
     "hooke line 24 velocity": (
-        "∥ *OT* par {point}, car *ω₄₂* est dans les plans du croisillon et des arbres"
+        "∥ *OT* par {point}, car *ω₄₂* de l’arbre 4 par rapport à 2 est dans les deux plans"
     ),
     "hooke line 14 velocity": "∥ l’arbre 4 par {point}, axe de la fourche 4",
     "hooke line 23 velocity": "∥ *OP* par {point}, axe du croisillon dans la fourche 2",
