@@ -490,6 +490,8 @@ def test_a_letter_of_a_view_is_one_projection_of_its_solved_point(name):
     found: dict[tuple[str, str], list[tuple[Any, complex]]] = {}
     for motion in driven(KINDS[name](), 40, seed=3):
         for stroke in vad.draw(motion).panel("position").strokes:
+            if stroke.part.which == "third":  # this view turns with BC
+                continue
             match stroke.shape:
                 case Arrow(start, end, tail, head):
                     spots = [(tail, start), (head, end)]

@@ -17,7 +17,7 @@ from vad.strokes.diagram import ACCELERATION, VELOCITY, Order
 from vad.strokes.reveals import measurer
 from vad.strokes.scene import point_of
 from vad.strokes.sheet import Arrow, Cell, Dot, Panel, Plate, Row, Sheet, Stroke, StrokePart
-from vad.strokes.space.travels import may_be_shown, travels_in_space
+from vad.strokes.space.travels import travels_in_space
 from vad.strokes.travel import Travel, TravelKind
 
 
@@ -65,10 +65,9 @@ def turning(row: Row, order: Order) -> Cell | None:
 
 
 def _can(travel: Travel) -> bool:
-    """Tell whether both vectors have a length, and the page has room for them."""
-    ends = travel.head - travel.tail, travel.end - travel.start, travel.oblique
-    seen = not any(is_symbolic(each) or abs(each) == 0.0 for each in ends)
-    return seen and may_be_shown(travel)
+    """Tell whether both vectors have a length."""
+    ends = travel.head - travel.tail, travel.end - travel.start
+    return not any(is_symbolic(each) or abs(each) == 0.0 for each in ends)
 
 
 def _from_links(panel: Panel, mechanism: Panel) -> Iterator[tuple[str, Travel]]:

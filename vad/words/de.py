@@ -791,10 +791,9 @@ PHRASES = {
         "{angle}° vom gemeinsamen Lot der Achsen."
     ),
     "balls path of C": (
-        "Oben, längs der Achse von *D* gesehen: *C* läuft auf diesem Kreis mit *DC* = {size} "
-        "{unit}."
+        "Oben, längs der Achse von *D* gesehen: *C* läuft auf diesem Kreis, *DC* = {size} {unit}; "
+        "*A* und *B* stehen senkrecht darüber."
     ),
-    "balls front": "*A* und *B* stehen in dieser Ansicht senkrecht darüber.",
     "balls compass": (
         "*B* steht {height} {unit} {side} der Ebene dieses Kreises: hier ist *BC* = √({size}² − "
         "{height}²) = {reach} {unit} lang."
@@ -805,44 +804,36 @@ PHRASES = {
     ),
     "balls top": "Senkrecht darunter ergänzt *C* Koppel und Schwinge in der unteren Ansicht.",
     "balls third": (
-        "Rechts zeigt eine Ansicht senkrecht zu *BC* und zur Bahn von *C* beide in wahrer Länge."
+        "Rechts zeigt eine Ansicht senkrecht zu *BC* und zur Bahn von *C* beide in wahrer Länge, "
+        "die Ebene senkrecht zu *BC* als Gerade."
     ),
-    "balls lines": (
-        "Die Ebene durch *B* senkrecht zu *BC* erscheint dort als Gerade; *C* bewegt sich "
-        "längs seiner Bahn."
+    "balls askew": (
+        "Dort ist *AB* {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT} und *DC* {seen_DC} {unit} lang; "
+        "quer dazu, nach Pythagoras, *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
     ),
     "balls along D": "längs *D* gesehen",
     "balls along A": "längs *A* gesehen",
     "balls along both": "*BC* und Bahn von *C* in wahrer Länge",
     # Pläne
     "balls path": "Bahn von *C*",
-    "balls remark": "gezeichnet in der Ansicht rechts; die Koppel dreht sich nicht um *BC*",
-    "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; im Bild {seen} "
-        "{unit}."
-    ),
-    "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; im Bild {seen} "
-        "{unit}."
-    ),
+    "balls remark": "wie in der Ansicht rechts; die Koppel dreht sich nicht um *BC*",
+    "balls tangential": "{label} = {symbol}·*BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
     "balls normal": (
-        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}; im "
-        "Bild {seen} {unit}."
-    ),
-    "balls normal BC": (
-        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, von *C* nach *B*."
+        "{label} = {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}."
     ),
     "balls line BC velocity": "⟂ *BC* durch {point}, denn *BC* behält seine Länge",
-    "balls line DC velocity": "∥ Bahn von *C* durch {point}, denn auf ihr läuft *C*",
+    "balls line DC velocity": "∥ Bahn von *C* durch {point}",
     "balls line BC acceleration": "⟂ *BC* durch {point}, längs {symbol}·*BC*",
     "balls line DC acceleration": "∥ Bahn von *C* durch {point}, längs {symbol}·*DC*",
-    "balls coupler velocity": (
-        "{label} = {value} {unit} im Bild und {off} {unit} senkrecht dazu, zusammen {symbol} = "
-        "{whole}/{size} = {rate} {rad/s}."
+    "balls coupler velocity": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s}.",
+    "balls coupler velocity askew": (
+        "{label} = {value} {unit} im Bild, und senkrecht dazu {sum} = {off} {unit}: zusammen "
+        "{symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
-    "balls coupler acceleration": (
-        "{label} = {value} {unit} im Bild und {off} {unit} senkrecht dazu, zusammen {symbol} = "
-        "{whole}/{size} = {rate} {rad/s²}."
+    "balls coupler acceleration": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s²}.",
+    "balls coupler acceleration askew": (
+        "{label} = {value} {unit} im Bild, und senkrecht dazu {sum} = {off} {unit}: zusammen "
+        "{symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (

@@ -759,9 +759,9 @@ PHRASES = {
         "the common normal of the axes."
     ),
     "balls path of C": (
-        "Above, seen along the axis of *D*: *C* runs on this circle with *DC* = {size} {unit}."
+        "Above, seen along the axis of *D*: *C* runs on this circle with *DC* = {size} {unit}; *A* "
+        "and *B* stand straight above."
     ),
-    "balls front": "*A* and *B* stand straight above in this view.",
     "balls compass": (
         "*B* stands {height} {unit} {side} the plane of this circle, so here *BC* is √({size}² − "
         "{height}²) = {reach} {unit} long."
@@ -772,43 +772,36 @@ PHRASES = {
     ),
     "balls top": "Straight below, *C* completes the coupler and the rocker in the lower view.",
     "balls third": (
-        "On the right, a view square to *BC* and to the path of *C* shows both in true length."
+        "On the right, a view square to *BC* and to the path of *C* shows both in true length, and "
+        "the plane square to *BC* as a line."
     ),
-    "balls lines": (
-        "The plane through *B* square to *BC* is seen as a line there; *C* moves along its path."
+    "balls askew": (
+        "There *AB* is {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT} and *DC* {seen_DC} {unit} long; "
+        "square to it, by Pythagoras, *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
     ),
     "balls along D": "seen along *D*",
     "balls along A": "seen along *A*",
     "balls along both": "*BC* and path of *C* in true length",
     # polygons
     "balls path": "path of *C*",
-    "balls remark": "drawn in the view on the right; the coupler does not spin about *BC*",
-    "balls tangential velocity": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; in this view "
-        "{seen} {unit}."
-    ),
-    "balls tangential acceleration": (
-        "{label}: {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends}; in this view "
-        "{seen} {unit}."
-    ),
+    "balls remark": "as seen in the view on the right; the coupler does not spin about *BC*",
+    "balls tangential": "{label} = {symbol}·*BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
     "balls normal": (
-        "{label}: {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}; in "
-        "this view {seen} {unit}."
-    ),
-    "balls normal BC": (
-        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, from *C* to *B*."
+        "{label} = {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}."
     ),
     "balls line BC velocity": "⟂ *BC* through {point}, as *BC* keeps its length",
-    "balls line DC velocity": "∥ the path of *C* through {point}, as *C* moves along it",
+    "balls line DC velocity": "∥ the path of *C* through {point}",
     "balls line BC acceleration": "⟂ *BC* through {point}, along {symbol}·*BC*",
     "balls line DC acceleration": "∥ the path of *C* through {point}, along {symbol}·*DC*",
-    "balls coupler velocity": (
-        "{label} = {value} {unit} in this view and {off} {unit} square to it, together {symbol} = "
-        "{whole}/{size} = {rate} {rad/s}."
+    "balls coupler velocity": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s}.",
+    "balls coupler velocity askew": (
+        "{label} = {value} {unit} in this view, and square to it {sum} = {off} {unit}: together "
+        "{symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
-    "balls coupler acceleration": (
-        "{label} = {value} {unit} in this view and {off} {unit} square to it, together {symbol} = "
-        "{whole}/{size} = {rate} {rad/s²}."
+    "balls coupler acceleration": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s²}.",
+    "balls coupler acceleration askew": (
+        "{label} = {value} {unit} in this view, and square to it {sum} = {off} {unit}: together "
+        "{symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (

@@ -788,9 +788,9 @@ PHRASES = {
         "perpendiculaire commune des axes."
     ),
     "balls path of C": (
-        "En haut, vu suivant l’axe de *D* : *C* décrit ce cercle, *DC* = {size} {unit}."
+        "En haut, vu suivant l’axe de *D* : *C* décrit ce cercle, *DC* = {size} {unit} ; *A* et "
+        "*B* sont juste au-dessus."
     ),
-    "balls front": "Dans cette vue, *A* et *B* sont juste au-dessus.",
     "balls compass": (
         "*B* est à {height} {unit} {side} le plan de ce cercle : ici la longueur de *BC* est "
         "√({size}² − {height}²) = {reach} {unit}."
@@ -802,44 +802,35 @@ PHRASES = {
     "balls top": "Juste au-dessous, *C* complète la bielle et le balancier dans la vue du bas.",
     "balls third": (
         "À droite, une vue perpendiculaire à *BC* et à la trajectoire de *C* montre les deux en "
-        "vraie grandeur."
+        "vraie grandeur, et le plan ⟂ *BC* comme une droite."
     ),
-    "balls lines": (
-        "Le plan par *B*, perpendiculaire à *BC*, y est vu comme une droite ; *C* suit sa "
-        "trajectoire."
+    "balls askew": (
+        "*AB* y mesure {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT} et *DC* {seen_DC} {unit} ; en "
+        "travers, d’après Pythagore, *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
     ),
     "balls along D": "vu suivant *D*",
     "balls along A": "vu suivant *A*",
     "balls along both": "*BC* et trajectoire de *C* en vraie grandeur",
     # polygones
     "balls path": "trajectoire de *C*",
-    "balls remark": "tracé dans la vue de droite ; la bielle ne tourne pas autour de *BC*",
-    "balls tangential velocity": (
-        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; sur la vue "
-        "{seen} {unit}."
-    ),
-    "balls tangential acceleration": (
-        "{label} : {symbol}·{ends} = {rate} × {size} = {value} {unit}, ⟂ {ends} ; sur la vue "
-        "{seen} {unit}."
-    ),
+    "balls remark": "comme dans la vue de droite ; la bielle ne tourne pas autour de *BC*",
+    "balls tangential": "{label} = {symbol}·*BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
     "balls normal": (
-        "{label} : {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail} ; "
-        "sur la vue {seen} {unit}."
-    ),
-    "balls normal BC": (
-        "{label} = {symbol}²·*BC* = {rate} × {size} = {value} {unit}, de *C* vers *B*."
+        "{label} = {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail}."
     ),
     "balls line BC velocity": "⟂ *BC* par {point}, car *BC* garde sa longueur",
-    "balls line DC velocity": ("∥ la trajectoire de *C* par {point}, car *C* la suit"),
+    "balls line DC velocity": "∥ la trajectoire de *C* par {point}",
     "balls line BC acceleration": "⟂ *BC* par {point}, suivant {symbol}·*BC*",
     "balls line DC acceleration": "∥ la trajectoire de *C* par {point}, suivant {symbol}·*DC*",
-    "balls coupler velocity": (
-        "{label} = {value} {unit} sur la vue et {off} {unit} en travers, en tout {symbol} = "
-        "{whole}/{size} = {rate} {rad/s}."
+    "balls coupler velocity": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s}.",
+    "balls coupler velocity askew": (
+        "{label} = {value} {unit} sur la vue, et en travers {sum} = {off} {unit} : en tout "
+        "{symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
-    "balls coupler acceleration": (
-        "{label} = {value} {unit} sur la vue et {off} {unit} en travers, en tout {symbol} = "
-        "{whole}/{size} = {rate} {rad/s²}."
+    "balls coupler acceleration": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s²}.",
+    "balls coupler acceleration askew": (
+        "{label} = {value} {unit} sur la vue, et en travers {sum} = {off} {unit} : en tout "
+        "{symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (

@@ -50,16 +50,17 @@ def test_what_swings_between_two_poses_of_a_turn_is_found_in_its_range() -> None
 
 @pytest.mark.parametrize("length", [2.0, 30.0, 400.0])
 def test_views_stand_apart_and_the_bar_has_room(length: float) -> None:
-    upper, lower, way = Corners(-2 - 3j, 9 + 4j), Corners(-4 - 5j, 7 + 6j), 0.6j - 0.8
-    views = beside(upper, lower, length, way)
+    upper, lower = Corners(-2 - 3j, 9 + 4j), Corners(-4 - 5j, 7 + 6j)
+    third = Corners(length * (-0.8 - 0.1j), length * (0.1 + 0.6j))
+    views = beside(upper, lower, third, length)
     top = lower.high.imag - views.drop
     assert upper.low.imag - top == pytest.approx(GAP * 11.0)
     height = upper.high.imag - (lower.low.imag - views.drop)
     assert views.share <= max(1.0, TALLEST * height / length)
     assert views.share * length <= TALLEST * height
-    end = views.place + views.share * length * way
-    assert min(views.place.real, end.real) > upper.high.real
-    middle = 0.5 * (views.place + end).imag
+    low, high = (views.place + views.share * corner for corner in third)
+    assert low.real > upper.high.real
+    middle = 0.5 * (low + high).imag
     assert middle == pytest.approx(upper.high.imag - 0.5 * height)
 
 

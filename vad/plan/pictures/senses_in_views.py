@@ -18,7 +18,7 @@ from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import symbols
 from vad.plan.marks import Mark, area, line
 from vad.plan.pictures.angles import SENSE_HEAD
-from vad.plan.pictures.sense_places import CLEAR, NAMED, Places
+from vad.plan.pictures.sense_places import CLEAR, NAMED, Bar, Places
 from vad.plan.pictures.senses import (
     LETTER,
     Sense,
@@ -75,8 +75,8 @@ def _about(
         shape = stroke.shape
         if stroke.name in names and stroke.link == row.key and isinstance(shape, Arc):
             arm = [_arm(sketch, row, shape)]
-            axis = arm[0][:1]
-            places = Places(sketch.obstacles, arm, (), axis, axis, arm[0], farthest=FARTHEST)
+            axis, others = arm[0][:1], [bar for bar in _bars(sketch) if bar != arm[0]]
+            places = Places(sketch.obstacles, arm, others, axis, axis, arm[0], farthest=FARTHEST)
             spots = places.find(taken, [(each.sign, each.text) for each in senses])
             for sense, place in zip(senses, spots, strict=True):
                 if place:
@@ -85,7 +85,14 @@ def _about(
     return found
 
 
-def _arm(sketch: Sketch, row: Row, arc: Arc) -> tuple[complex, complex]:
+def _bars(sketch: Sketch) -> list[Bar]:
+    """Return all bars in all views, on the page."""
+    shapes = [stroke.shape for stroke in sketch.setting.panel.strokes]
+    bars = [each for each in shapes if isinstance(each, Arrow)]
+    return [(sketch.scale(bar.start), sketch.scale(bar.end)) for bar in bars]
+
+
+def _arm(sketch: Sketch, row: Row, arc: Arc) -> Bar:
     """Return the bar on the page that an arc turns, or one that is as long as its radius."""
     panel, place = sketch.setting.panel, sketch.scale
     for stroke in panel.strokes:

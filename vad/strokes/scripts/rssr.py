@@ -56,15 +56,22 @@ class Script(BarScript):
     def tracks(self, order: Order) -> Mapping[Spot, Any]:
         if order is not POSITION:
             return {Spot(letter): at for letter, at in self.vertices(order).items()}
-        way = self.true.way(difference(self.at["C"], self.at["B"]))
+        places = {letter: self.at[letter] for letter in "ABCD"}
+        aside = {letter: self._aside(letter) for letter in places}
         views, _ = self._layout
         top = replace(TOP, at=vector(0.0, -views.drop))
         return {
-            **{Spot(letter): self.front.way(at) for letter, at in self.at.items()},
-            **{Spot(letter, "top"): top.point(at) for letter, at in self.at.items()},
-            Spot("B", "third"): views.place + 0 * way,
-            Spot("C", "third"): views.place + views.share * way,
+            **{Spot(letter): self.front.way(at) for letter, at in places.items()},
+            **{Spot(letter, "top"): top.point(at) for letter, at in places.items()},
+            **{
+                Spot(letter, "third", path="none"): views.place + views.share * way
+                for letter, way in aside.items()
+            },
         }
+
+    def _aside(self, letter: str) -> Any:
+        """Return where a point stands from B in the third view, in full size."""
+        return self.true.way(difference(self.at[letter], self.at["B"]))
 
     def views(self) -> Drawing:
         fixed, _, known, construction, crossing, _, _, bar = self.pens
@@ -84,7 +91,6 @@ class Script(BarScript):
         fixed("D.fixed", Dot(at["D"]), label="D")
         sweep = minimum(high - low + 2.0 * FARTHER, 360.0)
         known("C.path", circle(at["D"], rocker, low - FARTHER, sweep), "rocker")
-        self.tell("front")
         fixed("A.front", Dot(at["A"]), label="A")
         construction("B.projector", Curve((at["B.top"], at["B"])))
         known("AB.front", rod("A", "B"), "crank", body=True)
@@ -108,25 +114,38 @@ class Script(BarScript):
         self.tell("third")
         bar("BC.third", rod("B.third", "C.third"), "coupler")
         onward = ONWARD * (at["C.third"] - at["B.third"])
-        self.tell("lines")
         construction("B.plane", through(at["B.third"], 1j * onward), "coupler")
         along = abs(onward) * self.true.way(self.path)
         construction("C.line", through(at["C.third"], along), "rocker")
+        self.tell("askew", **self._askew())
+        bar("AB.third", rod("A.third", "B.third"), "crank")
+        ways = {"top": 1j * (at["B.top"] - at["A.top"]), "third": views.share * self._aside("T")}
+        for view, way in ways.items():
+            line = Curve((at[f"B.{view}"] + way, at[f"B.{view}"]))
+            construction(f"BT.{view}", line, "crank", "T")
+        bar("DC.third", rod("D.third", "C.third"), "rocker")
         right, length = max(at["C"].real, at["B"].real), views.share * size.value
-        aside = views.place + (self.tilt + 0.3) * length
-        third = self.note(aside, "along both", "BC.third", views.share)
+        below = views.place - 0.28j * length
+        third = self.note(below, "along both", "BC.third", views.share)
         front = self.note(vector(right, at["A"].imag + crank), "along D", "D.fixed")
         top = self.note(0.5 * (at["A.top"] + at["D.top"]), "along A", "A.fixed")
         return self.finished(("AB.bar", "BC.front"), ("AD", "DC.front"), front, top, third)
+
+    def _askew(self) -> dict[str, Figure]:
+        """Return how long AB, BT and DC are in the third view, and how far they lead out of it."""
+        found = {ends: self.askew(ends) for ends in ("AB", "BT", "DC")}
+        seen = {f"seen_{ends}": along for ends, (along, _) in found.items()}
+        return seen | {f"off_{ends}": off for ends, (_, off) in found.items()}
 
 
 @lru_cache(maxsize=64)
 def _layout(mechanism: Any) -> tuple[Layout, tuple[float, float]]:
     """Return where the views stand in all poses, and the range of the rocker's angle."""
     turning: Any = over_its_range(mechanism, SAMPLES)
-    front = corners(turning.front.way(each) for each in turning.at.values())
+    front = corners(turning.front.way(turning.at[letter]) for letter in "ABCD")
     top = corners(TOP.way(each) for each in turning.at.values())
+    third = corners(map(turning._aside, turning.at))
     motion = turning.motion
     turned = np.unwrap(motion.link("rocker").angle[motion.assembled], period=360.0)
     swing = float(turned.min()), float(min(turned.max(), turned.min() + 360.0))
-    return beside(front, top, turning.sizes["coupler"], Script.tilt), swing
+    return beside(front, top, third, turning.sizes["coupler"]), swing

@@ -32,11 +32,13 @@ from vad.strokes.sheet import Cell, Component
 from vad.strokes.space.polygon import SpaceVector, chain, polygon, stated
 from vad.strokes.space.scene import Script
 from vad.strokes.space.view import View
-from vad.strokes.vector_equations import Part, VectorEquation
+from vad.strokes.vector_equations import NOTHING, Part, VectorEquation
 from vad.written import subscript
 
 #: The bars by their rows.
 BARS = {"crank": "AB", "coupler": "BC", "rocker": "DC"}
+#: What ω and α of the crank turn to velocity and acceleration along the path of B.
+TURNED = "BT"
 
 
 class BarScript(Script):
@@ -57,8 +59,10 @@ class BarScript(Script):
 
     @cached_property
     def at(self) -> dict[str, Vector3]:
-        """Where the points are in space."""
-        return {letter: self.place(letter) for letter in "ABCD"}
+        """Where the points are in space; BT is AB turned by 90°, along the path of B."""
+        at = {letter: self.place(letter) for letter in "ABCD"}
+        turned = cross(self.axis("A"), difference(at["B"], at["A"]))
+        return at | {"T": added(at["B"], turned)}
 
     def _bar(self, tail: str, head: str) -> Vector3:
         """Return the vector along a bar, of one pose or of many.
@@ -88,6 +92,21 @@ class BarScript(Script):
         across = added(scaled(1.0 - flat, across), scaled(flat, upright))
         outward = unit(scaled(1.0 - 2.0 * (dot(across, d) < 0.0), across))
         return View(along, cross(outward, along), turn=self.tilt)
+
+    def _depth(self, ends: str) -> Any:
+        """Return how far the second end of a bar stands before the first one in that view."""
+        return dot(difference(*(self.at[letter] for letter in reversed(ends))), self.true.toward)
+
+    def leads_off(self, ends: str) -> bool:
+        """Tell whether a bar does not lie in the paper of that view."""
+        size = self.sizes["rocker" if ends == BARS["rocker"] else "crank"]
+        return bool(abs(self._depth(ends)) > NOTHING * size)
+
+    def askew(self, ends: str) -> tuple[Figure, Figure]:
+        """Return the length of a bar in that view, and how far it leads out of the paper."""
+        tail, head = (self.at[letter] for letter in ends)
+        seen, unit = self.true.way(difference(head, tail)), self.scene.unit
+        return Figure(abs(seen), unit), Figure(abs(self._depth(ends)), unit)
 
     def vertices(self, order: Order) -> dict[str, Any]:
         """Return where the vertices of a polygon are, of one pose or of many."""
@@ -174,10 +193,27 @@ class BarScript(Script):
         speed: float = norm(relative)
         return speed
 
-    def _off(self, order: Order) -> float:
-        """Return the difference of the heights of b and c above the paper."""
-        off: float = abs(dot(self._relative(order), self.true.toward))
-        return off
+    def _off(self, order: Order) -> tuple[float, str]:
+        """Return how far c lies out of the paper relative to b, and which components add to it."""
+        crank, rocker = self.motion.link("crank"), self.motion.link("rocker")
+        if order is VELOCITY:
+            factors = {TURNED: (-crank.omega, "ω₂")}
+        else:
+            factors = {
+                "AB": (crank.omega**2, "ω₂²"),
+                TURNED: (-crank.alpha, "α₂"),
+                "DC": (-(rocker.omega**2), "ω₄²"),
+            }
+        parts = [
+            (factor * self._depth(ends), f"{symbol}·h_{ends}")
+            for ends, (factor, symbol) in factors.items()
+            if factor and self.leads_off(ends)
+        ]
+        whole = sum(part for part, _ in parts)
+        sign = 1.0 if whole >= 0.0 else -1.0
+        parts.sort(key=lambda part: bool(sign * part[0] < 0.0))
+        said = "".join((" − " if sign * part < 0.0 else " + ") + name for part, name in parts)
+        return abs(whole), said.removeprefix(" + ")
 
     # --- what is said of it -------------------------------------------------------------------
 
@@ -188,18 +224,17 @@ class BarScript(Script):
         """Return the vector of a bar with its sentences."""
         say, topic, panel, ends = self.scene.say, self.topic, order.panel, BARS[link]
         tail, head = (image_letter(letter, order.number) for letter in ends)
-        unseen = link == "coupler" and bool(self._off(order))
+        unseen = link == "coupler" and bool(self._off(order)[0])
         summed: Component = "relative" if link == "coupler" else "absolute"
         says: dict[str, Any] = {"whole": partial(say, f"{topic} whole")}
         of_line = {"symbol": self._symbol(link, ACCELERATION)}
         says["line"] = partial(say, f"{topic} line {ends} {panel}", **of_line)
         if link == "crank":
-            says["tangential"] = self._turned(link, order, f"tangential {panel}", whole - normal)
+            says["tangential"] = self._turned(link, order, "tangential", TURNED)
         else:
             says["result"] = self._found(link, order, abs(whole - normal))
         if order is ACCELERATION:
-            phrase = "normal BC" if link == "coupler" else "normal"
-            says["normal"] = self._turned(link, VELOCITY, phrase, normal, power=2)
+            says["normal"] = self._turned(link, VELOCITY, "normal", ends, power=2)
         return SpaceVector(
             ends,
             tail,
@@ -211,11 +246,13 @@ class BarScript(Script):
         )
 
     def _turned(
-        self, link: str, order: Order, phrase: str, seen: complex, power: int = 1
+        self, link: str, order: Order, phrase: str, ends: str, power: int = 1
     ) -> partial[Any]:
-        """Say what a power of a rate times the length of a bar is, and its projection."""
-        ends, unit = BARS[link], self.unit(ACCELERATION if power == 2 else order)
-        size, rate = self.length(link), abs(self.turning(link, order))
+        """Say what a power of a rate times the length of a bar is, as its own view shows both."""
+        unit = self.unit(ACCELERATION if power == 2 else order)
+        size, rate = self.askew(ends)[0], abs(self.turning(link, order))
+        if link == "coupler":  # in true length
+            size = self.length(link)
         return partial(
             self.scene.say,
             f"{self.topic} {phrase}",
@@ -227,7 +264,6 @@ class BarScript(Script):
             rate=Figure(rate, order.unit, link == "crank", power),
             size=replace(size, scale=unit),
             value=Figure(rate**power * size.value, unit),
-            seen=Figure(abs(seen), unit),
             unit=Unit(unit),
         )
 
@@ -237,13 +273,17 @@ class BarScript(Script):
         rate, size = abs(turning), replace(self.length(link), scale=unit, power=-1)
         parts: dict[str, Any] = {"symbol": self._symbol(link, order), "unit": Unit(unit)}
         parts |= {"value": Figure(length, unit), "rate": Figure(rate, order.unit), "size": size}
-        phrase = f"{self.topic} {link} {order.panel}"
+        phrase, steps = f"{self.topic} {link} {order.panel}", [product("rate", "value", "size")]
         if link == "rocker":
             parts["sense"] = self.scene.say("counter-clockwise" if turning > 0 else "clockwise")
-            return partial(self.scene.say, phrase, product("rate", "value", "size"), **parts)
-        whole, off = Figure(rate * size.value, unit), Figure(self._off(order), unit)
-        steps = hypotenuse("whole", "value", "off"), product("rate", "whole", "size")
-        return partial(self.scene.say, phrase, *steps, whole=whole, off=off, **parts)
+        else:
+            off, said = self._off(order)
+            if off:
+                whole = Figure(rate * size.value, unit)
+                steps = [hypotenuse("whole", "value", "off"), product("rate", "whole", "size")]
+                parts |= {"whole": whole, "off": Figure(off, unit), "sum": said}
+                phrase += " askew"
+        return partial(self.scene.say, phrase, *steps, **parts)
 
 
 def magnitude(vector: Any) -> Any:

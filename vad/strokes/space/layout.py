@@ -72,27 +72,26 @@ def corners(places: Iterable[Any]) -> Corners:
     )
 
 
-def beside(upper: Corners, lower: Corners, length: float, way: complex) -> Layout:
+def beside(upper: Corners, lower: Corners, third: Corners, length: float) -> Layout:
     """Return where a lower view and, to the right of both, the view of a bar stand.
 
     Parameters
     ----------
     upper, lower
         The corners of both views, before the lower one is moved down.
+    third
+        The corners of the view of the bar, which begins at zero.
     length
         The length of the bar.
-    way
-        The unit vector along the bar in its own view.
     """
     right = max(upper.high.real, lower.high.real)
     size = max(upper.size.real, lower.size.imag)
     drop = lower.high.imag - upper.low.imag + GAP * size
-    bottom = lower.low.imag - drop
-    share = round_share(TALLEST * (upper.high.imag - bottom) / length)
-    reach = share * length
-    middle = 0.5 * (upper.high.imag + lower.low.imag - drop) - 0.5 * reach * way.imag
-    place = complex(right + 2.2 * GAP * size - reach * way.real, middle)
-    return Layout(drop, place, share)
+    low, high = lower.low.imag - drop, upper.high.imag
+    share = round_share(TALLEST * (high - low) / length)
+    left = right + 2.2 * GAP * size
+    middle = 0.5 * (high + low) - 0.5 * share * (third.low + third.high).imag
+    return Layout(drop, complex(left - share * third.low.real, middle), share)
 
 
 def _script(motion: Any) -> Script:

@@ -8,10 +8,8 @@ A vector turns by 90° only where that is true: in a view along the axis about w
   been turned into the paper.  The velocities ay and dz, and d′z′, are ω₄₂, ω₄ and α₄ times a lever
   along AD, at right angles to the paper: in this view they are turned by 90°, too.  All leave the
   polygon that they come from.
-- The velocity of B is the crank turned by 90°, in the view along the axis of the crank.  Then it
-  changes from this view to that of its polygon: it is seen from another side as it flies, which
-  turns and shortens it.  So do normal components of the crank and the rocker.  A normal component
-  of BC leaves the view in which BC has its true length.
+- Between balls, the polygon is drawn in the view in which BC has its true length.  There BT is the
+  crank turned by 90°: the velocity of B lies along it, and normal components along their bars.
 
 The sum a′y′ of three products comes from no single vector: a pencil draws it.
 """
@@ -19,7 +17,6 @@ The sum a′y′ of three products comes from no single vector: a pencil draws i
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from vad.kinematics.symbol import is_symbolic
 from vad.strokes.diagram import ACCELERATION, VELOCITY
@@ -35,22 +32,12 @@ TURNED = (
     (VELOCITY.panel + BELOW, ("dz",), VELOCITY.panel, ("14",)),
     (ACCELERATION.panel + BELOW, ("dz",), ACCELERATION.panel, ("14",)),
 )
-#: Of bars between balls: the row of the results, and the stroke of the view in which a vector turns
-#: about the bar's own axis, which is seen as a point.
-BARS = {"AB": ("crank", "AB.bar"), "DC": ("rocker", "DC.front")}
-#: The stroke that draws BC in true length.
-COUPLER = "BC.third"
-#: A vector that is seen so many times as long in its own view is not shown there.
-LONGEST = 4.0
+#: Of bars between balls: the lines in their own view along which known components lie, by the
+#: letters of the bar.  A normal component points back along its bar.
+BARS = {"AB": "AB.third", "BC": "BC.third", "DC": "DC.third"}
+TANGENT = {"AB": "BT.third"}
 #: Directions that differ by less are alike.
 ALIKE = 1e-6
-
-
-class _Rates(NamedTuple):
-    """The rates of a row of the results; None where they are not on the sheet."""
-
-    omega: float | None
-    alpha: float | None
 
 
 def travels_in_space(sheet: Sheet, views: Panel | None) -> Iterator[tuple[str, Travel]]:
@@ -68,7 +55,7 @@ def travels_in_space(sheet: Sheet, views: Panel | None) -> Iterator[tuple[str, T
         panel = halves.get(name)
         if panel and views:
             yield from _along_axis(panel, views)
-            yield from _of_bars(panel, views, sheet)
+            yield from _of_bars(panel, views)
     for name, strokes, source, ends in TURNED:
         if name in halves and source in halves:
             yield from _turned(halves[name], strokes, halves[source], ends)
@@ -80,15 +67,7 @@ def _along_axis(panel: Panel, views: Panel) -> Iterator[tuple[str, Travel]]:
     stroke = _drawn(panel, ("12.absolute", "12"))
     if axis is None or stroke is None:
         return
-    (tail, head), shape = axis, stroke.shape
-    assert isinstance(shape, Arrow)
-    along = (shape.end - shape.start) / (head - tail)
-    if is_symbolic(along):
-        return
-    if along.real < 0.0:
-        tail, head = head, tail
-    if abs(along.imag) < ALIKE * abs(along):
-        yield _named(panel, stroke, "axial", views.name, (tail, head))
+    yield from _along(panel, stroke, views.name, *axis)
 
 
 def _turned(
@@ -106,45 +85,43 @@ def _turned(
             yield _named(panel, stroke, "turned", source.name, (tail, head))
 
 
-def _of_bars(panel: Panel, views: Panel, sheet: Sheet) -> Iterator[tuple[str, Travel]]:
-    """Yield the known components of bars between balls."""
-    bars = {stroke.name: stroke.shape for stroke in views.strokes}
+def _of_bars(panel: Panel, views: Panel) -> Iterator[tuple[str, Travel]]:
+    """Yield the known components of bars between balls, along lines of the view of the polygon."""
+    drawn = {stroke.name: stroke.shape for stroke in views.strokes}
     for stroke in panel.strokes:
-        of, kind = stroke.part.of, stroke.component
-        if stroke.kind != "known" or (kind != "tangential" and kind != "normal"):
+        if stroke.kind != "known":
             continue
-        row, name = BARS.get(of, ("", COUPLER if of == "BC" else ""))
-        bar = bars.get(name)
-        if not isinstance(bar, Arrow):
-            continue
-        ends = (bar.start, bar.end) if kind == "tangential" else (bar.end, bar.start)
-        if not row:  # its own view is that of the polygon
-            yield _named(panel, stroke, kind, views.name, ends)
-            continue
-        rates, way = _rates(sheet, row), bar.end - bar.start
-        rate = rates.omega if panel.name == VELOCITY.panel else rates.alpha
-        if kind == "normal" and rates.omega is not None:
-            yield _named(panel, stroke, kind, views.name, ends, -(rates.omega**2) * way)
-        elif kind == "tangential" and rate is not None:
-            yield _named(panel, stroke, kind, views.name, ends, 1j * rate * way)
+        if stroke.component == "normal":
+            bar = drawn.get(BARS.get(stroke.part.of, ""))
+            if isinstance(bar, Arrow):
+                yield _named(panel, stroke, "normal", views.name, (bar.end, bar.start))
+        elif stroke.component == "tangential":
+            line = drawn.get(TANGENT.get(stroke.part.of, ""))
+            if isinstance(line, Curve):
+                yield from _along(panel, stroke, views.name, line.points[1], line.points[0])
+
+
+def _along(
+    panel: Panel, stroke: Stroke, source: str, tail: complex, head: complex
+) -> Iterator[tuple[str, Travel]]:
+    """Yield a vector that lies along a line; it points either way."""
+    shape = stroke.shape
+    assert isinstance(shape, Arrow)
+    along = (shape.end - shape.start) / (head - tail)
+    if is_symbolic(along):
+        return
+    if along.real < 0.0:
+        tail, head = head, tail
+    if abs(along.imag) < ALIKE * abs(along):
+        yield _named(panel, stroke, "axial", source, (tail, head))
 
 
 def _named(
-    panel: Panel,
-    stroke: Stroke,
-    kind: TravelKind,
-    source: str,
-    ends: tuple[complex, complex],
-    seen: complex | None = None,
+    panel: Panel, stroke: Stroke, kind: TravelKind, source: str, ends: tuple[complex, complex]
 ) -> tuple[str, Travel]:
     shape = stroke.shape
     assert isinstance(shape, Arrow)
-    return panel.full(stroke.name), Travel(kind, source, *ends, shape.start, shape.end, seen)
-
-
-def may_be_shown(travel: Travel) -> bool:
-    """Tell whether a vector is not too long in the view that it leaves."""
-    return abs(travel.oblique) <= LONGEST
+    return panel.full(stroke.name), Travel(kind, source, *ends, shape.start, shape.end)
 
 
 def _drawn(panel: Panel, names: tuple[str, ...]) -> Stroke | None:
@@ -159,14 +136,3 @@ def _curve(views: Panel, names: tuple[str, ...]) -> tuple[complex, complex] | No
     """Return the ends of the first straight line among those that have some names."""
     curves = {s.name: s.shape for s in views.strokes if isinstance(s.shape, Curve)}
     return next(((curves[n].points[0], curves[n].points[-1]) for n in names if n in curves), None)
-
-
-def _rates(sheet: Sheet, key: str) -> _Rates:
-    cells = {
-        cell.quantity: cell.value
-        for row in sheet.rows
-        if row.key == key
-        for name in (VELOCITY.panel, ACCELERATION.panel)
-        for cell in row.cells.get(name, ())
-    }
-    return _Rates(cells.get("ω"), cells.get("α"))
