@@ -311,7 +311,9 @@ def parameters_of(mechanism: Mechanism, language: str) -> Named:
                 )
             )
             if name + _TWIST in values:
-                shown.append((TWIST, values[name + _TWIST], "°"))
+                alone = sum(each.endswith(_TWIST) for each in values) == 1
+                twist = name + _TWIST
+                shown.append((called(twist, voice) if alone else TWIST, values[twist], "°"))
             continue
         usual = value == plain.__dataclass_fields__[name].default and not value % 90.0
         if "between" in metadata or (value and not usual):

@@ -798,6 +798,10 @@ PHRASES = {
         "*B* steht {height} {unit} {side} der Ebene dieses Kreises: hier ist *BC* = √({size}² − "
         "{height}²) = {reach} {unit} lang."
     ),
+    "balls compass square": (
+        "*B* steht {offset} + {crank}·sin {angle}° = {height} {unit} hinter der Ebene dieses "
+        "Kreises: hier ist *BC* = √({size}² − {height}²) = {reach} {unit} lang."
+    ),
     "balls C": (
         "In *C* schneiden sich beide Kreise; die Schwinge *DC* steht bei {theta} = {angle}° vom "
         "gemeinsamen Lot."
@@ -805,15 +809,15 @@ PHRASES = {
     "balls top": "Senkrecht darunter ergänzt *C* Koppel und Schwinge in der unteren Ansicht.",
     "balls third": (
         "Rechts zeigt eine Ansicht senkrecht zu *BC* und zur Bahn von *C* beide in wahrer Länge, "
-        "die Ebene senkrecht zu *BC* als Gerade."
+        "die Ebene ⟂ *BC* als Gerade."
     ),
     "balls askew": (
-        "Dort ist *AB* {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT} und *DC* {seen_DC} {unit} lang; "
-        "quer dazu, nach Pythagoras, *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
+        "Dort sind *AB* {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT}, *DC* {seen_DC} {unit} lang; "
+        "quer dazu (Pythagoras) *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
     ),
     "balls along D": "längs *D* gesehen",
     "balls along A": "längs *A* gesehen",
-    "balls along both": "*BC* und Bahn von *C* in wahrer Länge",
+    "balls along both": "dreht sich mit *BC*: *BC* und Bahn von *C* in wahrer Länge",
     # Pläne
     "balls path": "Bahn von *C*",
     "balls remark": "wie in der Ansicht rechts; die Koppel dreht sich nicht um *BC*",

@@ -766,6 +766,11 @@ PHRASES = {
         "*B* stands {height} {unit} {side} the plane of this circle, so here *BC* is √({size}² − "
         "{height}²) = {reach} {unit} long."
     ),
+    "balls compass square": (
+        "*B* stands {offset} + {crank}·sin {angle}° = {height} {unit} behind the plane of this "
+        "circle, so here *BC* is √({size}² − {height}²) = {reach} {unit} long."
+    ),
+    "balls offset": "{size}",
     "balls C": (
         "*C* is where both circles cross; the rocker *DC* stands at {theta} = {angle}° from the "
         "common normal."
@@ -773,15 +778,15 @@ PHRASES = {
     "balls top": "Straight below, *C* completes the coupler and the rocker in the lower view.",
     "balls third": (
         "On the right, a view square to *BC* and to the path of *C* shows both in true length, and "
-        "the plane square to *BC* as a line."
+        "the plane ⟂ *BC* as a line."
     ),
     "balls askew": (
         "There *AB* is {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT} and *DC* {seen_DC} {unit} long; "
-        "square to it, by Pythagoras, *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
+        "square to it (Pythagoras) *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
     ),
     "balls along D": "seen along *D*",
     "balls along A": "seen along *A*",
-    "balls along both": "*BC* and path of *C* in true length",
+    "balls along both": "turns with *BC*: *BC* and path of *C* in true length",
     # polygons
     "balls path": "path of *C*",
     "balls remark": "as seen in the view on the right; the coupler does not spin about *BC*",
@@ -858,7 +863,7 @@ NAMES = {
     "driving": "driving shaft",
     "driven": "driven shaft",
     "shaft_angle": "shaft angle β",
-    "ground_twist": "twist",
+    "ground_twist": "angle of axes",
     "crank_offset": "crank offset",
     "rocker_offset": "rocker offset",
     "{}_angle": "{} angle",

@@ -795,6 +795,10 @@ PHRASES = {
         "*B* est à {height} {unit} {side} le plan de ce cercle : ici la longueur de *BC* est "
         "√({size}² − {height}²) = {reach} {unit}."
     ),
+    "balls compass square": (
+        "*B* est à {offset} + {crank}·sin {angle}° = {height} {unit} derrière le plan de ce cercle "
+        ": ici la longueur de *BC* est √({size}² − {height}²) = {reach} {unit}."
+    ),
     "balls C": (
         "*C* est à l’intersection des deux cercles ; le balancier *DC* est à {theta} = {angle}° de "
         "la perpendiculaire commune."
@@ -806,11 +810,11 @@ PHRASES = {
     ),
     "balls askew": (
         "*AB* y mesure {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT} et *DC* {seen_DC} {unit} ; en "
-        "travers, d’après Pythagore, *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
+        "travers (Pythagore) *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
     ),
     "balls along D": "vu suivant *D*",
     "balls along A": "vu suivant *A*",
-    "balls along both": "*BC* et trajectoire de *C* en vraie grandeur",
+    "balls along both": "tourne avec *BC* : *BC* et trajectoire de *C* en vraie grandeur",
     # polygones
     "balls path": "trajectoire de *C*",
     "balls remark": "comme dans la vue de droite ; la bielle ne tourne pas autour de *BC*",

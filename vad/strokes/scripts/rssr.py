@@ -19,6 +19,7 @@ from vad.strokes.sheet import Arrow, Curve, Dot
 from vad.strokes.space.bars import BarScript
 from vad.strokes.space.layout import Layout, beside, corners, over_its_range
 from vad.strokes.space.view import View, circle, compass, through
+from vad.strokes.vector_equations import NOTHING
 
 #: The view along A's axis, from its end.
 TOP = View((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
@@ -74,7 +75,7 @@ class Script(BarScript):
         return self.true.way(difference(self.at[letter], self.at["B"]))
 
     def views(self) -> Drawing:
-        fixed, _, known, construction, crossing, _, _, bar = self.pens
+        fixed, guide, known, construction, crossing, _, _, bar = self.pens
         at, unit, say = self.spots(), self.scene.unit, self.scene.say
         views, (low, high) = self._layout
         crank, rocker = self.sizes["crank"], self.sizes["rocker"]
@@ -89,15 +90,25 @@ class Script(BarScript):
         self.arc("AB.angle", at["A.top"], ANGLE * crank, self.driven, "crank")
         self.tell("path of C", size=self.length("rocker"))
         fixed("D.fixed", Dot(at["D"]), label="D")
+        fixed("D.top", Dot(at["D.top"]), label="D")
         sweep = minimum(high - low + 2.0 * FARTHER, 360.0)
         known("C.path", circle(at["D"], rocker, low - FARTHER, sweep), "rocker")
         fixed("A.front", Dot(at["A"]), label="A")
+        offset = self.length("rocker_offset")
+        foot = at["D.top"] - offset.value * TOP.way(self.axis("D"))
+        size_of = self.scene.write("balls offset", size=offset)
+        guide("D.offset", Curve((at["D.top"], foot, at["A.top"])), None, size_of)
+        if abs(offset.value) <= NOTHING * rocker:
+            self.leave_out()
         construction("B.projector", Curve((at["B.top"], at["B"])))
         known("AB.front", rod("A", "B"), "crank", body=True)
         height, way = dot(difference(self.at["B"], self.at["D"]), self.axis("D")), at["C"] - at["B"]
         found = {"height": Figure(abs(height), unit), "reach": Figure(abs(way), unit)}
         side, size = say("balls ahead" if height > 0.0 else "balls behind"), self.length("coupler")
-        self.tell("compass", leg("reach", "size", "height"), side=side, size=size, **found)
+        square = " square" if self.settled.ground_twist == 90.0 and height < 0.0 else ""
+        found |= {"offset": offset, "crank": self.length("crank")}
+        found |= {"size": size, "angle": self.driven}
+        self.tell(f"compass{square}", leg("reach", "size", "height"), side=side, **found)
         construction("BC.compass", compass(at["B"], at["C"], COMPASS), "coupler")
         theta = self.angle("rocker")
         self.tell("C", theta="θ₄", angle=theta)
@@ -108,7 +119,6 @@ class Script(BarScript):
         self.arc("DC.angle", at["D"], SMALL * rocker, turned, "rocker", "θ₄")
         self.tell("top")
         construction("C.projector", Curve((at["C"], at["C.top"])))
-        fixed("D.top", Dot(at["D.top"]), label="D")
         bar("DC.top", rod("D.top", "C.top"), "rocker")
         bar("BC.top", rod("B.top", "C.top"), "coupler")
         self.tell("third")
