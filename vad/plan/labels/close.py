@@ -24,7 +24,7 @@ from vad.strokes.sheet import Arrow
 #: Dots that are nearer touch each other, or nearly.
 LEAST = 12.0 * PIXEL
 #: Of a vector that is shorter, dots and head leave no line to be seen.
-SHORTEST = 17.0 * PIXEL
+SHORTEST = 20.0 * PIXEL
 APART = 0.030
 FACTORS = (4.0, 8.0, 12.0, 20.0, 50.0, 100.0, 200.0)
 #: Dots that are so far apart in a lens are seen as two, if nearly.
