@@ -78,6 +78,8 @@ def test_only_vectors_without_length_are_left_out(mechanism, inputs) -> None:
         longest = max((abs(arrow.end - arrow.start) for arrow in arrows), default=0.0)
         for stroke in panel.zeros:
             assert stroke.caption == "" and stroke.reveals == ()
+            if stroke.kind == "construction":  # to an image between two points that are known
+                continue
             assert isinstance(stroke.shape, Arrow)
             assert stroke.label == stroke.shape.tail + stroke.shape.head
             length = abs(stroke.shape.end - stroke.shape.start)

@@ -184,7 +184,24 @@ class Images:
         elif pencil.shows(at):
             said = self._alike(bar, [pencil.letter(p) for p in (bar.tail, bar.head)])
         pencil.vertices[pencil.letter(bar.head)] = at
+        if bar.tail not in self._scene.members.fixed:
+            self._prolong(bar, base, said)
         pencil.absolute(bar.head, bar.link, image=True, said=said)
+
+    def _prolong(self, bar: Bar, base: Bar, said: Sentence | None) -> None:
+        """Draw a line on to the image of a point that lies beyond both known ones."""
+        pencil, at = self._pencil, self._scene.at
+        reach, known = (abs(at(each.head) - at(each.tail)) for each in (bar, base))
+        start, end = pencil.image(bar.tail), pencil.image(bar.head)
+        label = pencil.letter(bar.tail) + pencil.letter(bar.head)
+        shown = pencil.shows(end - start)
+        line = Line(start, (end - start) / abs(end - start) if shown else 1.0, end)
+        part = StrokePart(bar.ends, "line")
+        stroke = Stroke("construction", label, line, said or "", bar.link, part=part)
+        if shown and said and (reach > known or self._scene.against(bar)):
+            pencil.add(stroke)
+        else:
+            pencil.leave_out(stroke)
 
     # --- beside the line ----------------------------------------------------------------------
 
