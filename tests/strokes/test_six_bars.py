@@ -11,7 +11,9 @@ import pytest
 
 import vad
 from tests.strokes.motions import in_every_language
-from vad.strokes.sheet import Arrow, Dot, Equation, Panel, Plate, Sheet, Term
+from vad.strokes.description import parameters
+from vad.strokes.sheet import Arrow, Dot, Equation, Line, Panel, Plate, Sheet, Term
+from vad.words import text_of
 
 EXAMPLES = sorted(each.name for each in (files("vad") / "examples").iterdir() if each.is_file())
 every_example = pytest.mark.parametrize("name", EXAMPLES)
@@ -242,6 +244,33 @@ def test_every_point_is_found_once_and_every_row_is_revealed(name: str):
     shapes = [stroke.shape for stroke in sheet.panels[0].strokes]
     letters |= {end for s in shapes if isinstance(s, Arrow) for end in (s.tail, s.head)}
     assert {*motion.points} <= letters
+
+
+@every_example
+def test_a_title_names_lengths_by_what_the_drawing_shows(name: str):
+    _, sheet = drawn(name)[0]
+    rows = {row.title for row in sheet.rows}
+    for item in parameters(sheet):
+        is_lettered = any(piece.kind == "symbol" for piece in item)
+        assert is_lettered or item[0].text in rows, text_of(item)
+
+
+@pytest.mark.parametrize(("name", "beyond"), [("pantograph.toml", True), ("chebyshev.toml", False)])
+def test_a_line_leads_to_an_image_beyond_the_known_points(name: str, beyond: bool):
+    for _, panel in panels(name, "velocity", "acceleration"):
+        *before, image = panel.strokes
+        lines = [each for each in before if each.name == "BP.line"]
+        assert bool(lines) == beyond
+        for line in lines:
+            assert isinstance(line.shape, Line) and isinstance(image.shape, Arrow)
+            assert line is before[-1] and line.said == image.said
+            assert line.shape.until == image.shape.end
+            (b,) = {
+                each.shape.start
+                for each in before
+                if isinstance(each.shape, Arrow) and each.shape.tail.strip("′") == "b"
+            }
+            assert line.shape.through == b
 
 
 def test_of_many_parameters_the_coordinates_come_last():

@@ -12,8 +12,8 @@ from vad.words import Language, TextPiece, text_of
 from vad.written import LOW, with_unit
 
 _POINT = re.compile(r"[A-Z]\d*")
-#: Points, one or more, or a coordinate of one, as a whole word.
-_POINTS = re.compile(r"(?<!\S)(?:[A-Z]\d*)+[xy]?(?!\S)")
+#: Points, one or more, a coordinate of one, or the ratio of two lines, as a whole word.
+_POINTS = re.compile(r"(?<!\S)(?:[A-Z]\d*)+(?:[xy]|/(?:[A-Z]\d*)+)?(?!\S)")
 
 
 def title(sheet: Sheet) -> str:
