@@ -42,6 +42,25 @@ def test_every_caption_is_a_sentence(name: str, code: str) -> None:
         assert not re.search(r"\s\s|[{}\x02\x03]|[*]|\s[.,]", stroke.caption), stroke.caption
 
 
+#: A colon or semicolon before which another sign stands than a language wants.
+WRONG = {"fr": re.compile(r"[^\N{NO-BREAK SPACE}][:;](?=\s|$)")}
+WRONG |= {code: re.compile(r"\s[:;](?=\s|$)") for code in ("de", "en")}
+
+
+@in_every_language
+@everything
+def test_colons_and_semicolons_stand_as_the_language_wants(name: str, code: str) -> None:
+    """A French one has a space before it at which no line is broken."""
+    told = "\n".join(stroke.caption for _, _, stroke in strokes(name, code))
+    assert not WRONG[code].findall(told)
+
+
+def test_no_line_of_a_french_page_is_broken_before_a_colon() -> None:
+    said = Language("fr")
+    for table in ("PLAYER", "HAND", "WINDOW", "ERRORS"):
+        assert not [text for text in said.page(table).values() if WRONG["fr"].search(text)]
+
+
 def test_german_translates_what_it_names_and_leaves_the_rest() -> None:
     german = Language("de")
     assert german.name("crank") == "Kurbel"

@@ -28,7 +28,7 @@ def label(field: Field[Any], say: Language) -> str:
     owner, _, what = field.name.rpartition("_")
     if field.metadata["quantity"] in DIMENSIONS or not owner:
         return say.name(field.name)
-    return f"{say.name(owner)}: {say.name(what)}"
+    return say.name(owner) + say.say("colon") + say.name(what)
 
 
 def labels(kind: type[Mechanism] | None, say: Language) -> dict[str, str]:
@@ -50,14 +50,14 @@ def translated(sentence: str, names: Mapping[str, str], say: Language) -> str:
     name, colon, rest = sentence.partition(": ")
     if colon and (name in names or _LINE.fullmatch(name)):
         place = names.get(name) or translated(name, names, say)
-        return f"{place}: {translated(rest, names, say)}"
+        return place + say.say("colon") + translated(rest, names, say)
     for english, said in say.page("ERRORS").items():
         found = _pattern(english).fullmatch(sentence)
         if found:
             gaps = {gap: _gap(text, names, say) for gap, text in found.groupdict().items()}
             return said.format(**gaps)
     if colon and _NAME.fullmatch(name):
-        return f"{name}: {translated(rest, names, say)}"
+        return name + say.say("colon") + translated(rest, names, say)
     return sentence
 
 

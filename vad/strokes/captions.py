@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
+from functools import reduce
 from typing import Generic
 
 from vad.kinematics.linkage import Bar, Slide, Step, length_of, points_of
@@ -74,13 +75,14 @@ class PolygonCaptions(ABC, Generic[V]):
         """Say what lies where the two lines cross, and which results are zero there."""
         if pole:
             return self.say("pole crossing", letter=letter, point=point_of(letter))
-        found = tuple(
+        found = [
             self.say("zero", point=vertex, symbol=self.measures(part))
             for part, vertex in zeros
             if self.is_zero(part)
-        )
+        ]
         if found:
-            return self.say("crossing zero", letter=letter, found=Listed(found, "; "))
+            both = reduce(lambda one, other: self.say("zeros", one=one, other=other), found)
+            return self.say("crossing zero", letter=letter, found=both)
         return self.say("crossing", letter=letter)
 
     def sense(self, rate: float) -> Sentence:

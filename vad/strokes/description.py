@@ -61,7 +61,7 @@ def describe(sheet: Sheet) -> str:
         + " ".join(s.caption for half in panel.halves for s in half.strokes)
         for panel in sheet.panels
     ]
-    rows = "; ".join(_row(row, sheet) for row in sheet.rows)
+    rows = say("answer next").join(_row(row, sheet) for row in sheet.rows)
     lines.append(f"{say('results')}{say('colon')}{rows}.")
     return "\n".join(lines)
 

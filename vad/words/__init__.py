@@ -190,11 +190,8 @@ class _Tables:
         self.page = lru_cache(maxsize=None)(self._page)
 
     def _template(self, phrase: str) -> Template:
-        text = self.phrases[phrase]
-        for tied in self._tied:
-            text = text.replace(tied, tied.replace(" ", "\N{NO-BREAK SPACE}"))
         try:
-            return template(text)
+            return template(self._bound(self.phrases[phrase]))
         except ValueError as error:
             raise InputError(f"language '{self.code}': phrase '{phrase}': {error}") from None
 
@@ -241,7 +238,14 @@ class _Tables:
         return said
 
     def _page(self, table: str) -> Mapping[str, str]:
-        return {**_english(table), **_table(self._module, table)}
+        own = _table(self._module, table)
+        return {**_english(table), **{key: self._bound(text) for key, text in own.items()}}
+
+    def _bound(self, text: str) -> str:
+        """Return a text in which signs are not parted from the word before them."""
+        for tied in self._tied:
+            text = text.replace(tied, tied.replace(" ", "\N{NO-BREAK SPACE}"))
+        return text
 
 
 @cache

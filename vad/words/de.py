@@ -201,6 +201,7 @@ PHRASES = {
     "line and crossing": "{one}. {crossing}",
     "line alone": "{one}.",
     "zero": "bei {point}, also ist {symbol} null",
+    "zeros": "{one}; {other}",
     "pole crossing": "Der Pol {letter} ist der Schnittpunkt der Geraden: {point} steht still.",
     "measured omega": (
         "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: von {tail} aus "

@@ -210,6 +210,7 @@ PHRASES = {
     "line and crossing": "{one}. {crossing}",
     "line alone": "{one}.",
     "zero": "at {point}, so {symbol} is zero",
+    "zeros": "{one}; {other}",
     "pole crossing": "The pole {letter} is where both lines cross: {point} stands still.",
     "measured omega": (
         "{omega} = {label}/{bar} = {value}/{size} = {rate} {rad/s}, {sense}: {head} moves {way} "

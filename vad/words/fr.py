@@ -210,6 +210,7 @@ PHRASES = {
     "line and crossing": "{one}. {crossing}",
     "line alone": "{one}.",
     "zero": "en {point}, donc {symbol} vaut zéro",
+    "zeros": "{one} ; {other}",
     "pole crossing": (
         "Le pôle {letter} est à l’intersection des deux droites : {point} est immobile."
     ),
