@@ -510,8 +510,8 @@ PHRASES = {
     "hooke along": "längs Welle 2 gesehen",
     "hooke plan": "Ebene der Wellen",
     "hooke shafts": (
-        "Die Wellen 2 und 4 schneiden sich in *O* unter {angle}°: unten in wahrer Größe, oben "
-        "längs Welle 2 gesehen."
+        "Die Wellen 2 und 4 schneiden sich in *O* unter *β* = {angle}°: unten in wahrer Größe, "
+        "oben längs Welle 2 gesehen."
     ),
     "hooke P": (
         "*P*, der Zapfen von Gabel 2, läuft auf diesem Kreis und steht bei {angle}°; *OP* ist "
@@ -533,20 +533,21 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "*P*, *Q* und die Gabeln stehen senkrecht darunter; das Kreuz, 3, ist um *ψ_P* = {at_p}° "
-        "um *OP*, um *ψ_Q* = {at_q}° um *OQ* gedreht."
+        "*P*, *Q* und die Gabeln liegen darunter; das Kreuz, 3, ist um *OP* um *ψ_P* = {at_p}° "
+        "gedreht, sin *ψ_P* = sin *β*·sin *θ₄*, um *OQ* um *ψ_Q* = {at_q}°, sin *ψ_Q* = sin "
+        "*β*·cos *θ₂*."
     ),
     "hooke T": "Die Gerade durch {one} und {other} trifft die Ebene der Wellen in *T*.",
     "hooke other end": "das andere Ende von *O*{pin}",
     "hooke OT": (
-        "*T*, senkrecht heruntergelotet, ergibt *OT*: dort schneidet die Ebene des Kreuzes die "
-        "der Wellen."
+        "*T*, heruntergelotet, ergibt *OT*, den Schnitt der Ebenen von Kreuz und Wellen: tan *τ* = "
+        "tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
     ),
     "hooke laid": (
         "Um *OT* in die Ebene der Wellen umgeklappt haben *OP* und *OQ* ihre wahre Länge."
     ),
     # Polygone
-    "hooke speeds": "Drehzahlen über einen Umlauf",
+    "hooke speeds": "*ω₂*, *ω₄*, bei jedem *θ₂* abgetragen",
     "hooke shaft": "Welle {shaft}",
     "hooke line 24 velocity": (
         "∥ *OT* durch {point}, denn *ω₄₂* von Welle 4 relativ zu 2 liegt in beiden Ebenen"
@@ -558,13 +559,17 @@ PHRASES = {
     "hooke line 43 velocity": "∥ *OQ* durch {point}, denn um *OQ* dreht es sich in Gabel 4",
     "hooke line 24 acceleration": "∥ *OT* durch {point}, längs *α₄₂ₜ*",
     "hooke line 14 acceleration": "∥ Welle 4 durch {point}, längs *α₄*",
+    "hooke cross": (
+        "{symbol} = {value} {unit}; *OP* ist ⟂ Welle 2, also *ω₃* = √({crank}² + {size}²) = "
+        "{whole} {unit}."
+    ),
     "hooke fold": (
         "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt: dort haben *OP* und *OQ* "
         "ihre wahre Richtung."
     ),
     "hooke turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, das sich mit "
-        "*τ̇* = (*ω₃* des Kreuzes, ⟂ *OT* in seiner Ebene)/sin(Ebenenwinkel) dreht."
+        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* = *ω₂*·tan "
+        "*β*·sin 2*θ₂*·cos² *τ* dreht."
     ),
     # Kleins Konstruktion
     "klein rod": "Die Gerade der Stange {b}{c}, verlängert.",

@@ -496,8 +496,8 @@ PHRASES = {
     "hooke along": "seen along shaft 2",
     "hooke plan": "plane of the shafts",
     "hooke shafts": (
-        "The shafts 2 and 4 meet at *O*, {angle}° apart: below in true size, above seen along "
-        "shaft 2."
+        "The shafts 2 and 4 meet at *O*, *β* = {angle}° apart: below in true size, above seen "
+        "along shaft 2."
     ),
     "hooke P": (
         "*P*, the pin of yoke 2, runs on this circle and stands at {angle}°; *OP* is one arm of "
@@ -519,20 +519,22 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "*P*, *Q* and the yokes stand straight below; the cross, 3, is turned by *ψ_P* = {at_p}° "
-        "about *OP*, by *ψ_Q* = {at_q}° about *OQ*."
+        "*P*, *Q* and the yokes stand straight below; the cross, 3, is turned about *OP* by *ψ_P* "
+        "= {at_p}°, sin *ψ_P* = sin *β*·sin *θ₄*, about *OQ* by *ψ_Q* = {at_q}°, sin *ψ_Q* = sin "
+        "*β*·cos *θ₂*."
     ),
     "hooke T": "The line through {one} and {other} meets the plane of the shafts at *T*.",
     "hooke other end": "the other end of *O*{pin}",
     "hooke OT": (
-        "*T*, taken straight down, gives *OT*: there the plane of the cross cuts that of the "
-        "shafts."
+        "*T*, taken straight down, gives *OT*, where the planes of cross and shafts meet: tan *τ* "
+        "= tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
     ),
+    "hooke tau": "*τ*",
     "hooke laid": (
         "Turned about *OT* into the plane of the shafts, *OP* and *OQ* have their true length."
     ),
     # the polygons
-    "hooke speeds": "speeds over a turn",
+    "hooke speeds": "*ω₂*, *ω₄* laid off at each *θ₂*",
     "hooke shaft": "shaft {shaft}",
     "hooke line 24 velocity": (
         "∥ *OT* through {point}, as *ω₄₂* of shaft 4 relative to 2 lies in both planes"
@@ -542,13 +544,17 @@ PHRASES = {
     "hooke line 43 velocity": "∥ *OQ* through {point}, as it turns about *OQ* in yoke 4",
     "hooke line 24 acceleration": "∥ *OT* through {point}, along *α₄₂ₜ*",
     "hooke line 14 acceleration": "∥ shaft 4 through {point}, along *α₄*",
+    "hooke cross": (
+        "{symbol} = {value} {unit}; *OP* is ⟂ shaft 2, so *ω₃* = √({crank}² + {size}²) = {whole} "
+        "{unit}."
+    ),
     "hooke fold": (
         "The plane of the cross is turned about *OT* into the plane of the shafts: there *OP* and "
         "*OQ* have their true directions."
     ),
     "hooke turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, which turns at "
-        "*τ̇* = (*ω₃* of the cross, ⟂ *OT* in its plane)/sin(angle of the planes)."
+        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, which turns at *τ̇* = "
+        "*ω₂*·tan *β*·sin 2*θ₂*·cos² *τ*."
     ),
     # Klein's construction
     "klein rod": "The line of the rod {b}{c}, produced.",

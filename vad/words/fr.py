@@ -507,8 +507,8 @@ PHRASES = {
     "hooke along": "vu suivant l’arbre 2",
     "hooke plan": "plan des arbres",
     "hooke shafts": (
-        "Les arbres 2 et 4 se coupent en *O* sous {angle}° : en bas en vraie grandeur, en haut "
-        "vus suivant l’arbre 2."
+        "Les arbres 2 et 4 se coupent en *O* sous *β* = {angle}° : en bas en vraie grandeur, en "
+        "haut vus suivant l’arbre 2."
     ),
     "hooke P": (
         "*P*, le tourillon de la fourche 2, décrit ce cercle et se trouve à {angle}° ; *OP* est "
@@ -530,19 +530,21 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "*P*, *Q* et les fourches sont à l’aplomb ; le croisillon, 3, est tourné de *ψ_P* = "
-        "{at_p}° autour de *OP*, de *ψ_Q* = {at_q}° autour de *OQ*."
+        "*P*, *Q* et les fourches à l’aplomb ; le croisillon, 3, tourne de *ψ_P* = {at_p}° autour "
+        "de *OP*, sin *ψ_P* = sin *β*·sin *θ₄*, de *ψ_Q* = {at_q}° autour de *OQ*, sin *ψ_Q* = sin "
+        "*β*·cos *θ₂*."
     ),
     "hooke T": "La droite qui joint {one} et {other} perce le plan des arbres en *T*.",
     "hooke other end": "l’autre bout de *O*{pin}",
     "hooke OT": (
-        "*T*, reporté à l’aplomb, donne *OT* : là, le plan du croisillon coupe celui des arbres."
+        "*T*, reporté à l’aplomb, donne *OT*, où le plan du croisillon coupe celui des arbres : "
+        "tan *τ* = tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
     ),
     "hooke laid": (
         "Rabattus autour de *OT* sur le plan des arbres, *OP* et *OQ* sont en vraie grandeur."
     ),
     # polygones
-    "hooke speeds": "vitesses sur un tour",
+    "hooke speeds": "*ω₂*, *ω₄* portées à chaque *θ₂*",
     "hooke shaft": "l’arbre {shaft}",
     "hooke line 24 velocity": (
         "∥ *OT* par {point}, car *ω₄₂* de l’arbre 4 par rapport à 2 est dans les deux plans"
@@ -552,13 +554,17 @@ PHRASES = {
     "hooke line 43 velocity": "∥ *OQ* par {point}, son axe dans la fourche 4",
     "hooke line 24 acceleration": "∥ *OT* par {point}, suivant *α₄₂ₜ*",
     "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, suivant *α₄*",
+    "hooke cross": (
+        "{symbol} = {value} {unit} ; *OP* est ⟂ l’arbre 2, donc *ω₃* = √({crank}² + {size}²) = "
+        "{whole} {unit}."
+    ),
     "hooke fold": (
         "Le plan du croisillon est rabattu autour de *OT* sur celui des arbres : *OP* et *OQ* y "
         "ont leur vraie direction."
     ),
     "hooke turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OT*, qui tourne à "
-        "*τ̇* = (*ω₃* du croisillon, ⟂ *OT* dans son plan)/sin(angle des plans)."
+        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇* = *ω₂*·tan "
+        "*β*·sin 2*θ₂*·cos² *τ*."
     ),
     # la construction de Klein
     "klein rod": "La droite de la bielle {b}{c}, prolongée.",

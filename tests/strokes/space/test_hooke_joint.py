@@ -161,15 +161,35 @@ def test_printed_factors_give_the_printed_product():
     for angle in ANGLES:
         panel = sheet(angle).panel("acceleration")
         for each in panel.strokes:
-            pattern = r"τ̇ = ([\d.]+) × ([\d.]+)/sin\(([\d.]+)°\) = ([\d.]+)"
-            found = re.search(pattern, each.caption)
+            found = re.search(r"τ̇ = ([\d.]+) × ([\d.]+) = ([\d.]+)", each.caption)
             assert bool(found) == (each.name == "24.normal")
             if found:
-                *factors, value = found.groups()
-                omega, part, delta = map(float, factors)
+                omega, pace, value = found.groups()
                 digits = len(value.partition(".")[2])
-                made = omega * part / math.sin(math.radians(delta))
-                assert f"{made:.{digits}f}" == value
+                assert f"{float(omega) * float(pace):.{digits}f}" == value
+
+
+@pytest.mark.parametrize("shafts", [30.0, -50.0])
+@pytest.mark.parametrize("angle", [60, 200, 341])
+def test_the_formulas_of_captions_hold(angle: float, shafts: float):
+    drawn, theta, beta = motion(angle, shafts), math.radians(angle), math.radians(shafts)
+    position, polygon = (sheet(angle, shafts).panel(name) for name in ("position", "acceleration"))
+    line, arc = (stroke(position, f"OT.{which}").shape for which in ("line", "angle"))
+    assert isinstance(line, Curve) and isinstance(arc, Arc)
+    way = line.points[1] - line.points[0]
+    tau = math.radians(arc.sweep)
+    assert math.tan(tau) == pytest.approx(way.imag / way.real)
+    assert math.tan(tau) == pytest.approx(math.tan(beta) * math.sin(theta) ** 2)
+    said: Any = stroke(polygon, "24.normal").said
+    pace = next(said.figures(("pace",))).value
+    wanted = 10.0 * math.tan(beta) * math.sin(2.0 * theta) * math.cos(tau) ** 2
+    assert pace == pytest.approx(abs(wanted))
+    p, q, driven = drawn.joint("P"), drawn.joint("Q"), math.radians(drawn.link("driven").angle)
+    swings = [math.sin(math.radians(joint.angle)) for joint in (p, q)]
+    assert swings[0] == pytest.approx(math.sin(beta) * math.sin(driven))
+    assert swings[1] == pytest.approx(math.sin(beta) * math.cos(theta))
+    whole = np.linalg.norm(drawn.link("cross").omega)
+    assert whole == pytest.approx(math.hypot(10.0, p.omega))
 
 
 def test_what_does_not_turn_is_its_pole():

@@ -7,16 +7,18 @@ spherical four-bar whose axes are the shafts and the arms of the cross.
 import math
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from vad.kinematics.elementary import unit_at
-from vad.kinematics.numbers import ray, select_vector, vector, wrap
+from vad.kinematics.numbers import bearing, plane, ray, select_vector, vector, wrap
 from vad.kinematics.space.numbers import added, over, scaled
+from vad.strokes.arithmetic import Figure, hypotenuse
 from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Order, Spot
 from vad.strokes.sentences import Sentence, SentencePart
 from vad.strokes.sheet import Arc, Arrow, Cell, Curve, Dot, Ellipse, Line, Term
 from vad.strokes.space.bars import magnitude
-from vad.strokes.space.body_polygons import RELATIVE, TURNED, BodyScript, Names
+from vad.strokes.space.body_polygons import FLAT, RELATIVE, TURNED, BodyScript, Names
 from vad.strokes.space.speeds import speeds
 from vad.strokes.space.view import View, through
 from vad.written import PRIME
@@ -28,7 +30,9 @@ LAID, ARCS = 1.4, (1.08, 1.29)
 #: From O: the back of a yoke, the middle of its bearing, the end of its shaft, that of its axis.
 BACK, BEARING, END, AXIS = 0.5, 0.85, 1.05, 1.25
 #: Radii of the arcs of θ₂, θ₄ and of the angle between the shafts; half of a fork in degrees.
-DRIVING, DRIVEN, SHAFTS, FORK = 1.15, 0.40, 1.15, 13.0
+DRIVING, DRIVEN, SHAFTS, FORK = 1.17, 1.09, 1.15, 13.0
+#: Radius of the arc of τ, the angle of OT.
+TAU = 0.9
 ROWS = {"12": "driving", "24": "cross", "14": "driven", "23": "cross", "43": "cross"}
 
 
@@ -44,7 +48,17 @@ class Script(BodyScript):
     def names(self) -> Names:
         one, other = (self.scene.say("hooke shaft", shaft=x) for x in "24")
         axes: dict[str, Any] = {"12": one, "14": other, "24": "OT", "23": "OP", "43": "OQ"}
-        return Names(ROWS, axes, {1: ("12", "14", "23"), 2: ("12", "14", "24")}, "hooke")
+        measured = {1: ("12", "14", "23"), 2: ("12", "14", "24")}
+        swing, unit = self.motion.joint("P").omega, VELOCITY.unit
+        cross = partial(  # OP is square to shaft 2
+            self.scene.say,
+            "hooke cross",
+            hypotenuse("whole", "crank", "size"),
+            crank=Figure(abs(self.motion.link("driving").omega), unit, given=True),
+            size=Figure(abs(swing), unit),
+            whole=Figure(magnitude(self.motion.link("cross").omega), unit),
+        )
+        return Names(ROWS, axes, measured, "hooke", results={"23": cross}, paced=True)
 
     def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
         if key != "cross":
@@ -110,8 +124,8 @@ class Script(BodyScript):
         crossing("Q.found", Dot(q), "driven", "Q")
         bar("OQ.arm", Arrow(-q, q, "", "Q"), "cross")
         self.tell("theta 4", theta="θ₄", value=theta, ratio=self._ratio())
-        turned = Curve((q, 1j * ray(theta.value)))
-        construction("Q.turned", turned, "driven")
+        turned = 1j * ray(theta.value)
+        construction("Q.turned", Curve((q, turned, 0j, DRIVEN * turned)), "driven")
         self.arc("Q.angle", 0j, DRIVEN, theta, "driven", "θ₄", 90.0, ("driven",))
         at_p, at_q = (self.angle(_swing(self.motion.joint(letter).angle)) for letter in "PQ")
         self.tell("plan view", at_p=at_p, at_q=at_q)
@@ -135,11 +149,15 @@ class Script(BodyScript):
         self.tell("T", one=one, other=other)
         construction("PQ.line", across, "cross")
         crossing("T.found", Dot(t), label="T")
-        self.tell("OT")
+        tau = self._tau()
+        self.tell("OT", theta=self.driven, shafts=shafts, tau=tau)
         construction("T.projector", Curve((t, low["T"])))
         crossing("T.plan", Dot(low["T"]))  # beside Q there is no room for its letter
         way = AXIS * (low["T"] - o) / abs(low["T"] - o)
         construction("OT.line", through(o, way), "cross")
+        self.arc("OT.angle", o, TAU, tau, "cross", self.scene.write("hooke tau"))
+        if abs(tau.value) <= FLAT:
+            self.leave_out()
         self.tell("laid")
         self.lay_over({"P": "cross", "Q": "cross"}, LAID, ARCS)
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
@@ -151,6 +169,11 @@ class Script(BodyScript):
     def _end(self, pin: str, lettered: bool) -> SentencePart:
         """Name an end of an arm of the cross: the pin itself, or the other one."""
         return pin if lettered else self.scene.say("hooke other end", pin=pin)
+
+    def _tau(self) -> Figure:
+        """Return the angle of OT from the line in the plane of the shafts square to shaft 2."""
+        way, theta = unit_at(self.sizes["shaft_angle"]), unit_at(self.driven.value)
+        return self.angle(bearing(plane(way.real, way.imag * theta.imag * theta.imag)))
 
     def _ratio(self) -> Sentence:
         """Say what tan θ₄ is."""

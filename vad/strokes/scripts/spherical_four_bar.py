@@ -5,14 +5,14 @@ The sphere has the radius 1; its outline is the great circle of the frame, on wh
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
 
 from vad.kinematics.numbers import fold, minimum, select
-from vad.strokes.arithmetic import Figure
-from vad.strokes.diagram import Drawing, Spot
+from vad.strokes.arithmetic import Figure, product_of_sines
+from vad.strokes.diagram import VELOCITY, Drawing, Spot
 from vad.strokes.sheet import Curve, Dot
 from vad.strokes.space.bodies import SAMPLES
 from vad.strokes.space.body_polygons import BodyScript, Names
@@ -46,11 +46,16 @@ class Script(BodyScript):
         from_a = self.bodies.screw.tau
         from_d = fold(from_a - self.sizes["ground"])
         sign = -1.0 if from_a <= 0.0 and from_d <= 0.0 else 1.0
-        sines = {
-            "ai": self.angle(sign * from_a),
-            "di": replace(self.angle(sign * from_d), power=-1),
-        }
-        return Names(ROWS, measured=dict.fromkeys((1, 2), ("12", "14", "23", "43")), sines=sines)
+        sines = partial(
+            self.scene.say,
+            "bodies sines",
+            product_of_sines("value", "crank", "ai", "di"),
+            crank=Figure(self.motion.link("crank").omega, VELOCITY.unit, given=True),
+            ai=self.angle(sign * from_a),
+            di=replace(self.angle(sign * from_d), power=-1),
+        )
+        measured = dict.fromkeys((1, 2), ("12", "14", "23", "43"))
+        return Names(ROWS, measured=measured, results={"14": sines})
 
     def views(self) -> Drawing:
         fixed, guide, known, construction, crossing, _, _, bar = self.pens

@@ -18,7 +18,7 @@ from typing import Any, ClassVar
 from vad.kinematics.numbers import bearing, not_below, plane, select
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import dot, real
-from vad.strokes.arithmetic import Figure, product_of_sines
+from vad.strokes.arithmetic import Figure, product, product_of_sines
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order, Spot
 from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.sheet import Component, Curve, Ellipse, Fold, Stroke, StrokePart
@@ -55,9 +55,12 @@ class Names:
         The names of the construction lines through 4, if these are not named by the bodies.  Then
         the strokes of vectors are named by the bodies alone, ``24`` instead of ``24.relative``, and
         no caption says what is zero.
-    sines
-        The arcs AI and DI, the second with the power -1, if a caption says that the ratio ω₄/ω₂ is
-        that of their sines.
+    results
+        By the bodies: what makes the sentences of measured velocities, where these say more than
+        the value.
+    paced
+        Whether its own phrase has a formula for τ̇, the rate at which OI turns in the plane of the
+        frame.
     """
 
     rows: Mapping[str, str]
@@ -65,7 +68,8 @@ class Names:
     measured: Mapping[int, Sequence[str]] = field(default_factory=dict)
     topic: str = "bodies"
     lines: Mapping[str, str] = field(default_factory=dict)
-    sines: Mapping[str, Figure] = field(default_factory=dict)
+    results: Mapping[str, Callable[..., Sentence]] = field(default_factory=dict)
+    paced: bool = False
 
 
 class BodyPolygon:
@@ -243,7 +247,7 @@ class BodyPolygon:
 
     def _says(
         self, phrase: str, ends: str, value: float, symbol: str = "", given: bool = False
-    ) -> Callable[..., Sentence]:
+    ) -> partial[Sentence]:
         parts: dict[str, SentencePart] = {"symbol": symbol or self._symbol(ends)}
         parts |= {"value": Figure(value, self.unit, given), "unit": Unit(self.unit)}
         if given:
@@ -258,12 +262,9 @@ class BodyPolygon:
         return partial(self.scene.say, phrase, **arc)
 
     def _measured(self, ends: str, value: float) -> dict[str, Callable[..., Sentence]]:
-        result = self._says("bodies measured", ends, value)
-        if ends == "14" and self.order is VELOCITY and self.names.sines:
-            steps = product_of_sines("value", "crank", "ai", "di")
-            crank = Figure(self.crank, self.unit, given=True)
-            said = self._says("bodies sines", ends, value)
-            result = partial(said, steps, crank=crank, **self.names.sines)
+        result: partial[Sentence] = self._says("bodies measured", ends, value)
+        if self.order is VELOCITY and ends in self.names.results:
+            result = partial(self.names.results[ends], **result.keywords)
         return {"line": self._line(ends), "result": result}
 
     def _turned(self, plane: str, value: float, pace: Any) -> Callable[..., Sentence]:
@@ -271,18 +272,18 @@ class BodyPolygon:
 
         Its rate is the part of ω₃ that is perpendicular to OI in the other plane, over sin δ.
         """
-        screw = self.bodies.screw
-        return partial(
-            self.scene.say,
-            f"{self.names.topic} turned {plane}",
-            product_of_sines("value", "omega", "part", "delta"),
-            symbol=RELATIVE[1],
-            value=Figure(abs(value), self.unit),
-            omega=Figure(abs(real(self.bodies.pace.omega)), VELOCITY.unit),
-            part=Figure(abs(real(pace) * real(screw.sine)), VELOCITY.unit),
-            delta=Figure(screw.delta, "°", power=-1),
-            unit=Unit(self.unit),
-        )
+        screw, parts = self.bodies.screw, dict[str, Any]()
+        parts |= {"symbol": RELATIVE[1], "unit": Unit(self.unit)}
+        parts["value"] = Figure(abs(value), self.unit)
+        parts["omega"] = Figure(abs(real(self.bodies.pace.omega)), VELOCITY.unit)
+        if self.names.paced:
+            steps = product("value", "omega", "pace")
+            parts["pace"] = Figure(abs(real(pace)), VELOCITY.unit)
+        else:
+            steps = product_of_sines("value", "omega", "part", "delta")
+            parts["part"] = Figure(abs(real(pace) * real(screw.sine)), VELOCITY.unit)
+            parts["delta"] = Figure(screw.delta, "°", power=-1)
+        return partial(self.scene.say, f"{self.names.topic} turned {plane}", steps, **parts)
 
 
 class BodyScript(Script):
