@@ -9,11 +9,12 @@ import pytest
 from PIL import Image
 
 import vad
+from tests.lecture.states import states_of
 from tests.painting.readers import media_box, operations, page_count, pdf_text
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.lesson import Lesson
-from vad.lecture.moment import done, drawing, moment, moments
+from vad.lecture.moment import done, drawing, moments
 from vad.lecture.telling import told_together
 from vad.painting.film import redraw
 from vad.painting.posed import board_of
@@ -87,7 +88,7 @@ class TestStill:
         before = lesson.steps[: still.step]
         frame = lesson.opening + sum(step.frames for step in before) - 1
         pixels = Image.open(io.BytesIO(saved(still, tmp_path / "step.png")))
-        expected = redraw(board_of(lesson), moment(lesson, frame), load_style(lesson.style))
+        expected = redraw(board_of(lesson), states_of(lesson)[frame], load_style(lesson.style))
         assert np.array_equal(np.asarray(pixels), expected[..., :3])
         assert "Acceleration:" not in pixels.info["Description"]
         assert "ω = −2.308" not in pixels.info["Description"]

@@ -9,10 +9,11 @@ from itertools import pairwise
 
 import pytest
 
+from tests.lecture.states import states_of
 from tests.plan.sheets import slider_crank
 from vad.errors import UsageError
 from vad.lecture.lesson import animate
-from vad.lecture.moment import NOTHING, Moment, done, drawing, finished, moment, moments, smooth
+from vad.lecture.moment import NOTHING, Moment, done, drawing, finished, moments, smooth
 from vad.lecture.pace import rest
 from vad.lecture.turn import turn
 from vad.mechanisms.four_bar import FourBar
@@ -44,8 +45,8 @@ def test_a_long_caption_rests_longer():
 
 def test_every_frame_has_one_state_and_strokes_only_grow():
     lesson = animate(slider_crank(), fps=10)
-    states = [moment(lesson, number) for number in range(lesson.frames)]
-    assert sum(repeats for _, repeats in moments(lesson)) == lesson.frames
+    states = states_of(lesson)
+    assert len(states) == lesson.frames
     opening = states[: lesson.opening]
     beat = done(len(lesson.sheet.panels[0].strokes))
     inks = [each.share for each in opening]
@@ -57,10 +58,6 @@ def test_every_frame_has_one_state_and_strokes_only_grow():
         assert after.share == 1.0 or after.beat % 2 == 1
         if before.beat == after.beat and after.share < 1.0:
             assert after.share > before.share
-    with pytest.raises(IndexError):
-        moment(lesson, lesson.frames)
-    with pytest.raises(IndexError):
-        moment(lesson, -1)
 
 
 def test_panels_move_after_the_last_stroke_of_each_scene_and_never_back():
@@ -79,14 +76,14 @@ def test_panels_move_after_the_last_stroke_of_each_scene_and_never_back():
 @pytest.mark.parametrize("most", [30.0, 15.0, 12.0, 9.0, 0.1])
 def test_what_moves_may_have_fewer_states_in_the_same_time(most: float):
     lesson = animate(slider_crank(), fps=30)
-    states = list(moments(lesson, most))
-    assert sum(repeats for _, repeats in states) == lesson.frames
+    states, every = list(moments(lesson, most)), states_of(lesson)
+    assert sum(repeats for _, repeats in states) == len(every) == lesson.frames
     moving: Counter[int] = Counter()
     at = 0
     for state, repeats in states:
         at += repeats
         if state.share < 1.0:
-            assert state == moment(lesson, at - 1)
+            assert state == every[at - 1]
             moving[state.beat] += 1
     for number, step in enumerate(lesson.steps):
         most_of_it = step.grow / 30 * most

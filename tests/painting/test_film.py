@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 import vad
+from tests.lecture.states import states_of
 from tests.plan.sheets import slider_crank
 from vad.lecture.lesson import Lesson, animate
-from vad.lecture.moment import moment, moments
+from vad.lecture.moment import moments
 from vad.painting.film import EMPTY, filmed, redraw
 from vad.painting.posed import board_of
 from vad.style import load_style, style_names
@@ -51,9 +52,10 @@ def test_what_is_on_the_board_before_drawing_is_in_the_first_frame(panels: str):
 def test_frames_are_those_of_their_moments():
     lesson = animate(slider_crank(), fps=5, size=SIZE)
     board, style, at = board_of(lesson), load_style(lesson.style), 0
+    states = states_of(lesson)
     for number, frame in enumerate(filmed(lesson)):
         if number % 11 == 0:
-            assert np.array_equal(redraw(board, moment(lesson, at), style), frame.pixels)
+            assert np.array_equal(redraw(board, states[at], style), frame.pixels)
         at += frame.repeats
 
 

@@ -145,19 +145,3 @@ def _shares_of_movement(frames: int, pace: float) -> Iterator[tuple[float, int]]
     for number in range(states):
         before, after = (round(frames * end / states) for end in (number, number + 1))
         yield after / (frames + 1), after - before
-
-
-def moment(lesson: Lesson, frame: int) -> Moment:
-    """Return the state at one frame, counted from 0.
-
-    Raises
-    ------
-    IndexError
-        If the lesson has no such frame.
-    """
-    left = frame
-    for state, repeats in moments(lesson):
-        if 0 <= left < repeats:
-            return state
-        left -= repeats
-    raise IndexError(f"frame {frame} of {lesson.frames}")
