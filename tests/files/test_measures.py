@@ -39,8 +39,11 @@ def test_an_angle_is_no_length():
 @pytest.mark.parametrize(
     ("name", "head"),
     [
-        ("chebyshev", "u 20 mm"),
-        ("pantograph", "ratio 2, a 150 mm, b 100 mm, Mx 180 mm, My 40 mm, crank 25 mm"),
+        ("chebyshev", "BP 20 mm"),
+        (
+            "pantograph",
+            "ratio OB/OA 2, OA 150 mm, AT 100 mm, Mx 180 mm, My 40 mm, crank 25 mm",
+        ),
         (
             "drag-link",
             "Dx 30 mm, crank 60 mm, coupler 70 mm, DC 75 mm, DE 90 mm, ∠CDE 40°, rod 260 mm",

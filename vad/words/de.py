@@ -543,6 +543,7 @@ PHRASES = {
         "*T*, heruntergelotet, ergibt *OT*, den Schnitt der Ebenen von Kreuz und Wellen: tan *τ* = "
         "tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
     ),
+    "hooke tau": "*τ*",
     "hooke laid": (
         "Um *OT* in die Ebene der Wellen umgeklappt haben *OP* und *OQ* ihre wahre Länge."
     ),
@@ -808,6 +809,7 @@ PHRASES = {
         "*B* steht {offset} + {crank}·sin {angle}° = {height} {unit} hinter der Ebene dieses "
         "Kreises: hier ist *BC* = √({size}² − {height}²) = {reach} {unit} lang."
     ),
+    "balls offset": "{size}",
     "balls C": (
         "In *C* schneiden sich beide Kreise; die Schwinge *DC* steht bei {theta} = {angle}° vom "
         "gemeinsamen Lot."

@@ -540,6 +540,7 @@ PHRASES = {
         "*T*, reporté à l’aplomb, donne *OT*, où le plan du croisillon coupe celui des arbres : "
         "tan *τ* = tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
     ),
+    "hooke tau": "*τ*",
     "hooke laid": (
         "Rabattus autour de *OT* sur le plan des arbres, *OP* et *OQ* sont en vraie grandeur."
     ),
@@ -806,6 +807,7 @@ PHRASES = {
         "*B* est à {offset} + {crank}·sin {angle}° = {height} {unit} derrière le plan de ce cercle "
         ": ici la longueur de *BC* est √({size}² − {height}²) = {reach} {unit}."
     ),
+    "balls offset": "{size}",
     "balls C": (
         "*C* est à l’intersection des deux cercles ; le balancier *DC* est à {theta} = {angle}° de "
         "la perpendiculaire commune."
