@@ -141,7 +141,7 @@ def test_fixed_points_are_where_guides_cross_only_if_they_do() -> None:
     captions = said(vad.draw(vad.solve(OneGuide())))
     assert captions["position:O.fixed"] == "O is a fixed point."
     assert captions["position:D.fixed"] == "D is a fixed pivot."
-    assert captions["velocity:OA.sliding"].endswith("the given velocity along the guide.")
+    assert captions["velocity:OA.sliding"].endswith("given along the guide.")
 
 
 def test_letters_are_the_same_where_a_coupler_does_not_turn() -> None:

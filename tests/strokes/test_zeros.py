@@ -158,3 +158,20 @@ def test_a_caption_says_that_a_vector_is_too_short_to_be_seen() -> None:
     told = {stroke.label for stroke in panel.strokes if "too short" in stroke.caption}
     assert told == {label for label, size in sizes.items() if size < 1e-3 * max(sizes.values())}
     assert told == {"e′gₙ"}
+
+
+@pytest.mark.parametrize(
+    ("motion", "end"),
+    [
+        (vad.solve(vad.GateActuator()), "Along the actuator, a is zero."),
+        (
+            vad.solve(vad.DoubleSlider(), acceleration=0),
+            "a_A is zero, so a′ lies here, too.",
+        ),
+        (vad.solve(vad.DoubleSlider()), "so o′ lies here."),
+        (vad.solve(vad.SliderCrank(), alpha=0), "so a′ and d′ (D on the guide) lie here."),
+    ],
+)
+def test_the_caption_of_the_pole_says_that_a_driven_slide_has_no_acceleration(motion, end) -> None:
+    (panel,) = vad.draw(motion, panels=("acceleration",)).panels
+    assert panel.strokes[0].caption.endswith(end)

@@ -110,10 +110,24 @@ class Captions(PolygonCaptions[StepVector]):
             else self.say("on the guide", letter=letter, point=point_of(letter))
             for letter in letters
         ]
-        if len(named) == 1:
-            point = point_of(letters[0])
-            return self.say(f"pole {self.panel} one", point=point, letters=named[0])
-        return self.at_pole(named)
+        point = point_of(letters[0])
+        one = self.say(f"pole {self.panel} one", point=point, letters=named[0])
+        return self._steady(one if len(named) == 1 else self.at_pole(named))
+
+    def _steady(self, said: Sentence) -> Sentence:
+        """Say at the pole, too, that the driver gives a line no acceleration, if that is so."""
+        members = self._scene.members
+        driving = (slide for slide in members.sliding if members.drives(slide))
+        slide = next(driving, None)
+        if slide is None or self._scene.speed(slide.name, self.order):
+            return said
+        return self.say(
+            "pole steady point" if members.is_guide(slide) else "pole steady",
+            said=said,
+            line=self._scene.line(slide),
+            symbol=members.rate_symbol(slide.name, ORDERS[self.order]),
+            letter=image_letter(slide.head, self.order),
+        )
 
     def known(self, label: str, part: Part[StepVector]) -> Sentence:
         """Calculate a component that is known before the lines cross."""

@@ -237,6 +237,7 @@ class Images:
                 corner=corner,
                 angle=scene.measured(abs(angle), "°"),
                 sense=pencil.say.sense(angle),
+                link=Noun(bar.link),
                 side=pencil.letter(near) + pencil.letter(far),
                 meeting=pencil.letter(bar.head),
             )

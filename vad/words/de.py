@@ -136,6 +136,10 @@ PHRASES = {
     "pole acceleration one": (
         "Der Pol: der feste Punkt {point} hat keine Beschleunigung, also liegt {letters} hier."
     ),
+    "pole steady": "{said} Längs {line:des} ist {symbol} null.",
+    "pole steady point": (
+        "{said} Längs {line:des} ist {symbol} null, also liegt auch {letter} hier."
+    ),
     "on the guide": "{letter} ({point} auf der Führung)",
     "still": "Der Antrieb steht still und mit ihm alles andere: das Polygon ist sein Pol.",
     "velocity of": "die Geschwindigkeit von {head}",
@@ -240,8 +244,8 @@ PHRASES = {
         "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Durch {point} unter ∠{corner} = {angle}°, {sense} von {side} aus, wie am Glied: {meeting} "
-        "liegt darauf."
+        "Durch {point} unter ∠{corner} = {angle}°, {sense} von {side} aus, wie {link:am}: "
+        "{meeting} liegt darauf."
     ),
     "image alike velocity": (
         "{letter} fällt auf {point}: {link:der} dreht sich in diesem Augenblick nicht, alle Punkte "

@@ -144,6 +144,8 @@ PHRASES = {
     "pole acceleration one": (
         "The pole: the fixed point {point} has no acceleration, so {letters} lies here."
     ),
+    "pole steady": "{said} Along the {line}, {symbol} is zero.",
+    "pole steady point": "{said} Along the {line}, {symbol} is zero, so {letter} lies here, too.",
     "on the guide": "{letter} ({point} on the guide)",
     "still": "The driver stands still, and so does everything else: the polygon is its pole.",
     "velocity of": "the velocity of {head}",
@@ -169,7 +171,7 @@ PHRASES = {
         "{label} = {alpha}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} in the sense of "
         "{alpha}: {whose}."
     ),
-    "sliding velocity": "{label} = {value} {unit}, {way}: the given velocity along the {line}.",
+    "sliding velocity": "{label} = {value} {unit}, {way}: given along the {line}.",
     "sliding acceleration": (
         "{label} = {value} {unit}, {way}: the given acceleration along the {line}."
     ),
@@ -249,8 +251,8 @@ PHRASES = {
         "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Through {point} at ∠{corner} = {angle}°, {sense} from {side}, as on the link: {meeting} "
-        "lies on this line."
+        "Through {point} at ∠{corner} = {angle}°, {sense} from {side}, as on the {link}: {meeting} "
+        "lies on it."
     ),
     "image alike velocity": (
         "{letter} falls on {point}: the {link} does not turn at this instant, so all its points "

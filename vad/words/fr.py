@@ -143,6 +143,10 @@ PHRASES = {
     "pole acceleration one": (
         "Le pôle : le point fixe {point} n’a pas d’accélération, donc {letters} est ici."
     ),
+    "pole steady": "{said} Le long {line:du}, {symbol} est nulle.",
+    "pole steady point": (
+        "{said} Le long {line:du}, {symbol} est nulle, donc {letter} est ici aussi."
+    ),
     "on the guide": "{letter} ({point} sur la glissière)",
     "still": (
         "L’élément moteur est immobile, et tout le reste aussi : le polygone se réduit à son pôle."
@@ -252,7 +256,7 @@ PHRASES = {
         "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Par {point}, à ∠{corner} = {angle}°, {sense} depuis {side}, comme sur la pièce : "
+        "Par {point}, à ∠{corner} = {angle}°, {sense} depuis {side}, comme sur {link:le} : "
         "{meeting} est sur cette droite."
     ),
     "image alike velocity": (
