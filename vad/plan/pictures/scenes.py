@@ -304,8 +304,12 @@ def _letters(
     vertices = [_through(vertex, lens, in_line) for vertex in sketch.vertices]
     wishes = [wish(vertices[each], vertices, 0.0, NEAR, size) for each in close.members]
     if not led:
-        near = {number: near_places(crowd, each) for number, each in enumerate(wishes)}
-        beside = assigned(near) if all(near.values()) else {}
+        near: dict[int, list[Placed]] = {}
+        for number, each in enumerate(wishes):
+            near[number] = near_places(crowd, each)
+            if not near[number]:
+                return []
+        beside = assigned(near)
         if len(beside) < len(wishes):
             return []
         if all(names(placed, wishes[number]) for number, placed in beside.items()):
