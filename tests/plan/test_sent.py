@@ -14,11 +14,14 @@ from tests.plan.test_flights import moving
 from vad.files.examples import example_path
 from vad.lecture.moment import moments
 from vad.plan.format import screen
-from vad.plan.items import CAPTION, FLIGHT, Item
+from vad.plan.geometry import Rect
+from vad.plan.items import ALWAYS, CAPTION, FLIGHT, Item
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.lettering.glyphs import width
-from vad.plan.lettering.runs import plain
+from vad.plan.lettering.runs import plain, roman
 from vad.plan.marks import Bending, Bow, Flying, Leg, Lettering, Mark, bent
 from vad.plan.page.quarter import without_turn
+from vad.plan.pictures.sent import Way, _way
 from vad.plan.roles import HALO, ROLES
 from vad.plan.stage import Stage
 from vad.strokes.travels import found_rates, travels
@@ -178,3 +181,29 @@ def test_a_rate_flies_when_its_number_is_said_and_its_row_waits(speed: float):
     assert own and {i.stroke for i in new} >= own
     assert all(item.at(0.5) == [] and len(item.at(1.0)) == 1 for item in new)
     assert not any(i.region == CAPTION for i in new)
+
+
+def test_a_number_flies_past_letters_where_it_crosses_no_words():
+    """Its arrow flies below it; beside words it would rather cross a letter."""
+    number, page = Lettering(roman("4.607"), 0.3 + 0.1j, 0.04), Rect(0.0, 0.1, 1.78, 1.0)
+    ends, nothing = (0.35 + 0.1j, 1.3 + 0.7j), Obstacles(page)
+    usual = _way(number, ends, 0.6, nothing, nothing)
+
+    def crosses(way: Way, box: Rect) -> bool:
+        return any(box.inside(-0.012).holds(way.at(part / 100)) for part in range(101))
+
+    middle = usual.at(0.6)
+    box = Rect(middle.real - 0.03, middle.imag - 0.02, middle.real + 0.03, middle.imag + 0.02)
+    assert crosses(usual, box)
+    letter = Obstacles(page, [], [(box, ALWAYS)])
+    past = _way(number, ends, 0.6, nothing, letter)
+    assert not crosses(past, box)
+    assert _way(number, ends, 0.6, letter, nothing) == past
+    both = Obstacles(page, [], [(past_box(past), ALWAYS)])
+    assert not crosses(_way(number, ends, 0.6, both, letter), past_box(past))
+
+
+def past_box(way: Way) -> Rect:
+    """Return a box in the middle of a way."""
+    middle = way.at(0.6)
+    return Rect(middle.real - 0.02, middle.imag - 0.02, middle.real + 0.02, middle.imag + 0.02)

@@ -174,10 +174,13 @@ class Stage:
         turns = {**self.whole.turns, **roomless(sketches, [*drawn, *senses])}
         work = list(in_work(sheet, large, sketches, layout.work, self._key, flies, turns))
         words = self._words([*self._title, *heads, *work])
+        others = self._words([*senses, *(each for each in drawn if each.level == Level.LENS)])
+        others.boxes += [each for sketch in sketches.values() for each in sketch.obstacles.boxes]
         drawn = list(pictures(sketches, self._travels, words))
         if flies:
             numbers, shown = numbers_said(sheet, self._captions(sketches)), senses
-            senses = [*sent(shown, numbers, words), *to_rows(work, shown, numbers, words)]
+            texts = words, others
+            senses = [*sent(shown, numbers, *texts), *to_rows(work, shown, numbers, *texts)]
         items = [*drawn, *senses, *heads, *work]
         regions = layout.regions
         ordered = _in_scene(in_painting_order(items, regions), number)

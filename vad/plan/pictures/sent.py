@@ -10,10 +10,13 @@ import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
 
 from vad.lecture.moment import smooth
 from vad.plan.items import FLIGHT, FOREVER, Item
-from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.obstacles import Bools, Obstacles, Reals
 from vad.plan.lettering.glyphs import width
 from vad.plan.marks import (
     Bending,
@@ -27,7 +30,6 @@ from vad.plan.marks import (
     bent,
 )
 from vad.plan.page.quarter import without_turn
-from vad.plan.pictures.traces import swept
 
 #: When the number leaves, when it arrives, and when the arrow is bent: shares of the whole.
 LEAVES, ARRIVES, BENT = 0.06, 0.55, 0.92
@@ -42,13 +44,62 @@ STRAIGHT = 3.0
 BELOW = 0.5
 #: How far letters reach below their baseline, in their size.
 DESCENT = 0.25
-#: How high a number flies, of its way, to either side: the first of those that cross least text.
-ARCHES = (0.10, -0.10, 0.25, -0.25, 0.40, -0.40)
-PARTS = 24
+#: How high a number flies, of its way, to either side, and how much later than in the middle it is
+#: highest: the first of those that cross least.
+ARCHES = tuple(
+    (side * high, late)
+    for high, late in (
+        (0.10, 0),
+        (0.25, 0),
+        (0.25, 1),
+        (0.25, -1),
+        (0.40, 0),
+        (0.40, 1),
+        (0.40, -1),
+    )
+    for side in (1, -1)
+)
+PARTS = 32
+#: To be over something at one more of so many moments is as bad as to cross so much of another.
+HOVERS = 0.3
+
+
+class Way(NamedTuple):
+    """The way of a number, on which it rises first from what is said beside it.
+
+    Attributes
+    ----------
+    start, end
+        Where it begins and ends.
+    off
+        The height to which it rises first.
+    arch, late
+        How high it flies then, of its way, and when: 0 if it is highest in the middle, 1 or -1 if
+        later or earlier.
+    """
+
+    start: complex
+    end: complex
+    off: float
+    arch: float
+    late: int
+
+    def at(self, time: float) -> complex:
+        """Return where it is at a share of its time."""
+        start, end = self.start, self.end
+        high = complex(start.real, max(start.imag, min(self.off, end.imag)))
+        risen, flown = _part(time, 0.0, RISES), _part(time, FLIES_ON, 1.0)
+        way = end - high
+        tilt = {0: 4.0, 1: 6.75 * flown, -1: 6.75 * (1.0 - flown)}[self.late]
+        arched = flown * way + tilt * flown * (1.0 - flown) * self.arch * 1j * way
+        return start + risen * (high - start) + complex(arched.real, max(arched.imag, 0.0))
 
 
 def sent(
-    senses: Iterable[Item], numbers: Mapping[str, tuple[Lettering, int]], words: Obstacles
+    senses: Iterable[Item],
+    numbers: Mapping[str, tuple[Lettering, int]],
+    words: Obstacles,
+    letters: Obstacles,
 ) -> Iterator[Item]:
     """Yield the senses of rates with their flights, which take place while their stroke rests.
 
@@ -59,17 +110,19 @@ def sent(
     numbers
         For the full name of a stroke the number in its caption that flies, and the beat in which it
         is said.
-    words
-        What it should not cross.
+    words, letters
+        What it should not cross: the words beside the panels, and then the letters and lenses in
+        them.
     """
     for item in senses:
         number = numbers.get(item.stroke)
         if number is None:
             yield item
             continue
-        texts = words.during((item.since, item.since + 1))
-        marks, said = tuple(_flying(item.marks, number[0], texts)), (number[1], FOREVER)
-        yield Item(item.stroke, FLIGHT, item.level, marks, item.since, item.since + 1, said)
+        span = item.since, item.since + 1
+        texts = words.during(span), letters.during(span)
+        marks, said = tuple(_flying(item.marks, number[0], *texts)), (number[1], FOREVER)
+        yield Item(item.stroke, FLIGHT, item.level, marks, *span, said)
         yield replace(item, since=item.since + 1)
 
 
@@ -78,6 +131,7 @@ def to_rows(
     senses: Iterable[Item],
     numbers: Mapping[str, tuple[Lettering, int]],
     words: Obstacles,
+    letters: Obstacles,
 ) -> Iterator[Item]:
     """Yield the flights of numbers to rows of the results, where a link has no room for an arrow.
 
@@ -85,7 +139,7 @@ def to_rows(
     ----------
     rows
         What stands there; what a stroke has just found grows.
-    senses, numbers, words
+    senses, numbers, words, letters
         As for `sent`.
     """
     done = {item.stroke for item in senses}
@@ -96,21 +150,24 @@ def to_rows(
         assert isinstance(mark.shape, Lettering)
         done.add(item.stroke)
         (number, said), goal = numbers[item.stroke], mark.shape
-        size = goal.size / number.size
-        end = goal.at + width(without_turn(goal.runs), goal.size) - width(number.runs, goal.size)
-        texts = words.during((item.since, item.since + 1))
-        arch, off = _arch(number, number.at, end, texts), _off(number, texts)
+        size, wide = goal.size / number.size, width(number.runs, number.size)
+        # The middle of the number flies so that it ends where the row ends.
+        start = number.at + wide / 2
+        end = goal.at + width(without_turn(goal.runs), goal.size) - size * wide / 2
+        span = item.since, item.since + 1
+        way = _way(number, (start, end), size, words.during(span), letters.during(span))
         legs = []
         for share in _shares():
             part, time = _part(share, LEAVES, BENT), _time(share, LEAVES, BENT)
-            spot, ink = _between(number.at, end, time, arch, off), 1.0 - _part(share, BENT, 1.0)
-            legs.append(Leg(share, spot - number.at, 1.0 + (size - 1.0) * part, 0.0, ink))
-        flies = Mark(number, "letter", growth=Flying(number.at, tuple(legs)))
-        span = item.since, item.since + 1
+            spot, ink = way.at(time), 1.0 - _part(share, BENT, 1.0)
+            legs.append(Leg(share, spot - start, 1.0 + (size - 1.0) * part, 0.0, ink))
+        flies = Mark(number, "letter", growth=Flying(start, tuple(legs)))
         yield Item(item.stroke, FLIGHT, item.level, (flies,), *span, (said, FOREVER))
 
 
-def _flying(marks: Iterable[Mark], number: Lettering, words: Obstacles) -> Iterator[Mark]:
+def _flying(
+    marks: Iterable[Mark], number: Lettering, words: Obstacles, letters: Obstacles
+) -> Iterator[Mark]:
     """Yield the marks of a sense on their way, and the number that comes with them."""
     *arrow, name = marks
     goal = name.shape
@@ -120,9 +177,9 @@ def _flying(marks: Iterable[Mark], number: Lettering, words: Obstacles) -> Itera
     wide = width(number.runs, number.size)
     # The middle of the number flies to that of the name.
     start, end = number.at + wide / 2, goal.at + width(goal.runs, goal.size) / 2
-    arch, off = _arch(number, start, end, words), _off(number, words)
+    flown = _way(number, (start, end), size, words, letters)
     times = [(share, _time(share, LEAVES, ARRIVES)) for share in _shares()]
-    way = [(share, _between(start, end, time, arch, off)) for share, time in times]
+    way = [(share, flown.at(time)) for share, time in times]
     legs = [
         Leg(
             share,
@@ -187,29 +244,34 @@ def _time(share: float, start: float, end: float) -> float:
     return min(max((share - start) / (end - start), 0.0), 1.0)
 
 
-def _arch(number: Lettering, start: complex, end: complex, words: Obstacles) -> float:
-    """Return how high a number flies on its way: so that it stays on the page, past most words."""
-    wide, room, off = width(number.runs, number.size), words.edge, _off(number, words)
-    boxes = [each for each, _ in words.boxes]
+def _way(
+    number: Lettering,
+    ends: tuple[complex, complex],
+    size: float,
+    words: Obstacles,
+    letters: Obstacles,
+) -> Way:
+    """Return how the middle of a number flies: on the page, past most words, letters and lenses.
 
-    def cost(arch: float) -> tuple[bool, int]:
-        ways = (_between(start, end, time, arch, off) for time in _shares())
-        path = [number.at + spot - start for spot in ways]
-        strays = any(z.real < room.left or z.real + wide > room.right for z in path)
-        return strays, swept([path, [z + wide for z in path]], boxes)
+    ``size`` says how many times as large it is in the end.
+    """
+    wide, room = width(number.runs, number.size) / 2, words.edge
+    low, high = BELOW * number.size, (BELOW + DESCENT) * number.size  # with the arrow below it
+    times = np.array([*_shares()])
+    sizes = 1.0 + (size - 1.0) * times
+    half, below, above = (each * sizes[:, None] for each in (wide, low, high))
 
-    return min(ARCHES, key=cost)
+    def met(x: Reals, y: Reals, others: Obstacles) -> Bools:
+        sides = [(each.left, each.right, each.bottom, each.top) for each, _ in others.boxes]
+        left, right, bottom, top = np.array(sides).reshape(-1, 4).T
+        return (x - half < right) & (x + half > left) & (y - below < top) & (y + above > bottom)
 
+    def cost(way: Way) -> tuple[bool, int, float]:
+        spots = np.array([way.at(time) for time in times])[:, None]
+        x, y = spots.real, spots.imag
+        strays = bool((x - half < room.left).any() or (x + half > room.right).any())
+        crossed, hidden = met(x, y, words), met(x, y, letters)
+        own = hidden.any(axis=0).sum() + HOVERS * hidden.sum()
+        return strays, int(crossed.any(axis=0).sum()), float(own)
 
-def _off(number: Lettering, words: Obstacles) -> float:
-    """Return the height at which a number and what is below it are clear of the caption."""
-    return words.edge.bottom + (BELOW + DESCENT) * number.size
-
-
-def _between(start: complex, end: complex, time: float, arch: float, off: float) -> complex:
-    """Return a place on an arch, to which a number rises first from what is said beside it."""
-    high = complex(start.real, max(start.imag, min(off, end.imag)))
-    risen, flown = _part(time, 0.0, RISES), _part(time, FLIES_ON, 1.0)
-    way = end - high
-    arched = flown * way + 4.0 * flown * (1.0 - flown) * arch * 1j * way
-    return start + risen * (high - start) + complex(arched.real, max(arched.imag, 0.0))
+    return min((Way(*ends, room.bottom + high, *arch) for arch in ARCHES), key=cost)
