@@ -273,6 +273,23 @@ def test_a_line_leads_to_an_image_beyond_the_known_points(name: str, beyond: boo
             assert line.shape.through == b
 
 
+@pytest.mark.parametrize(
+    ("motion", "said"),
+    [
+        (
+            vad.solve(kind("sewing-machine.toml")()),
+            ["BC = 11.14 mm (from ∠BAC)", "ET = 36.95 mm (from ∠ECT)"],
+        ),
+        (vad.solve(kind("jansen-leg.toml")()), []),
+        (vad.solve(vad.FourBar(points={"E": ("coupler", 60, 30)})), ["CE = 74.36 mm (from ∠CBE)"]),
+    ],
+)
+def test_a_side_that_is_not_given_follows_from_an_angle(motion: vad.Motion, said: list[str]):
+    told = [stroke.caption for stroke in vad.draw(motion, ["position"]).panels[0].strokes]
+    found = [each.partition("radius ")[2].rstrip(".") for each in told if "∠" in each]
+    assert found == said
+
+
 def test_of_many_parameters_the_coordinates_come_last():
     names = [name for name, _, _ in drawn("jansen-leg.toml")[0][1].parameters]
     lengths = ["crank", "link j", "CD", "CE", "DE", "link k", "link c", "link f", "FG", "FH", "GH"]

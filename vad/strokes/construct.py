@@ -73,7 +73,9 @@ class FurtherPoints:
         for centre in (base.tail, base.head):
             span = self.scene.span(centre, point)
             size = self.scene.measured(span, self.scene.unit)
-            self.arc(Bar(centre + point, link, span), centre, point, size)
+            (vertex,) = {base.tail, base.head} - {centre}
+            corner = self._given_corner(centre, vertex, point)
+            self.arc(Bar(centre + point, link, span), centre, point, size, corner=corner)
         one, other, third = corners = base.tail, base.head, point
         start = self.scene.at(one)
         turn = (self.scene.at(other) - start).conjugate() * (self.scene.at(third) - start)
@@ -84,14 +86,37 @@ class FurtherPoints:
         self.ink.draw(point, "found", "intersection", point, at, "third point", parts)
         self.found.add(point)
 
-    def arc(self, bar: Bar, centre: str, end: str, size: Figure, phrase: str = "compass") -> None:
-        """Draw a compass arc about one end of a bar through the other."""
+    def _given_corner(self, one: str, vertex: str, other: str) -> str:
+        """Return the letters of the corner at ``vertex`` if its angle is given, else nothing."""
+        mechanism = self.scene.motion.mechanism
+        given = {name.rpartition("_")[2] for name in mechanism.parameters()}
+        for point, (link, _, *turn) in mechanism.points.items():
+            if turn and link in mechanism.links:
+                tail, head = points_of(mechanism.links[link])
+                given.add(head + tail + point)
+        corners = one + vertex + other, other + vertex + one
+        return next((corner for corner in corners if corner in given), "")
+
+    def arc(
+        self,
+        bar: Bar,
+        centre: str,
+        end: str,
+        size: Figure,
+        phrase: str = "compass",
+        corner: str = "",
+    ) -> None:
+        """Draw a compass arc about one end of a bar through the other.
+
+        Its radius follows from the angle of the ``corner`` opposite, if that is given.
+        """
         at, point = self.scene.at(centre), self.scene.at(end)
         angle = bearing(point - at)
         arc = Arc(at, size.value, angle - COMPASS, 2 * COMPASS, through=point)
         letters = self.scene.members.letters(bar)
         parts: dict[str, SentencePart] = {"head": end, "tail": centre, "bar": letters, "size": size}
-        parts |= {"link": Noun(bar.link), "unit": Unit(self.scene.unit)}
+        parts |= {"link": Noun(bar.link), "unit": Unit(self.scene.unit), "corner": corner}
+        phrase += " corner" if corner else ""
         self.ink.draw(
             bar.ends, "compass", "construction", letters, arc, phrase, parts, link=bar.link
         )

@@ -103,6 +103,9 @@ PHRASES = {
     ),
     "angle": "Winkel zählen von *x* aus gegen den Uhrzeigersinn.",
     "compass": "{head} liegt auf dem Kreis um {tail}, Radius {bar} = {size} {unit}.",
+    "compass corner": (
+        "{head} liegt auf dem Kreis um {tail}, Radius {bar} = {size} {unit} (aus ∠{corner})."
+    ),
     "compass strut": (
         "{head} liegt auf dem Kreis um {tail}, Radius {bar} = {size} {unit}, der gegebenen Länge "
         "{link:des}."
@@ -244,7 +247,7 @@ PHRASES = {
         "{part} = {whole}·{bar}/{base} = {known} × {size}/{length} = {own} {unit}."
     ),
     "image line": (
-        "Durch {point} unter ∠{corner} = {angle}°, {sense} von {side} aus, wie {link:am}: "
+        "Durch {point} unter ∠{corner} = {angle}°, {sense} ab {side}, wie {link:am}: "
         "{meeting} liegt darauf."
     ),
     "image alike velocity": (

@@ -111,6 +111,9 @@ PHRASES = {
     ),
     "angle": "Angles are measured counter-clockwise from *x*.",
     "compass": "{head} lies on the circle about {tail}, radius {bar} = {size} {unit}.",
+    "compass corner": (
+        "{head} lies on the circle about {tail}, radius {bar} = {size} {unit} (from ∠{corner})."
+    ),
     "compass strut": (
         "{head} lies on the circle about {tail}, radius {bar} = {size} {unit}, the length of "
         "the {link}."

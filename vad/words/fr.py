@@ -108,6 +108,10 @@ PHRASES = {
     ),
     "angle": "L’angle se mesure depuis *x*, dans le sens trigonométrique.",
     "compass": "{head} est sur le cercle de centre {tail}, de rayon {bar} = {size} {unit}.",
+    "compass corner": (
+        "{head} est sur le cercle de centre {tail}, de rayon {bar} = {size} {unit} (d’après "
+        "∠{corner})."
+    ),
     "compass strut": (
         "{head} est sur le cercle de centre {tail}, de rayon {bar} = {size} {unit}, la longueur "
         "donnée {link:du}."
