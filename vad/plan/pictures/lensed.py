@@ -195,23 +195,28 @@ def _with_more(
 ) -> Sketch:
     """Return a drawing with one more lens where points still look like one, if it has room.
 
-    One that has no lens may become smaller for it, if fewer points look like one then.
+    One that has no lens may become smaller for it, if fewer points look like one then.  A vector
+    whose ends are seen as two comes after such points.
     """
     needs = untold(setting, sketch.vertices, sketch.close) if setting.lenses else []
-    left = len(needs)
-    if not sketch.close and left > MOST_PAIRS:
+    pressing = sum(need.is_pressing for need in needs)
+    if not sketch.close and len(needs) > MOST_PAIRS:
         return sketch
-    rooms = [room] if left else []
-    if not sketch.close and any(need.is_pressing for need in needs):
+    rooms = [room] if needs else []
+    if not sketch.close and pressing:
         rooms += _smaller_rooms(setting)[:MORE_ROOMS]
+    found: Sketch | None = None
     for each in rooms:
         other = labels.with_more()
         better = _tried(draw, each, other)
         if not better or other.faults > labels.faults + PRICE or other.forced > labels.forced:
             continue
-        if len(untold(setting, better.vertices, better.close)) < left:
+        left = untold(setting, better.vertices, better.close)
+        if sum(need.is_pressing for need in left) < pressing:
             return better
-    return sketch
+        if len(left) < len(needs):
+            found = found or better
+    return found or sketch
 
 
 def _roomiest(setting: Setting, draw: Draw) -> tuple[Sketch, LensedLabels, Rect]:
