@@ -37,6 +37,11 @@ _WINDOW = """([panel, ...places]) => {
   return [0, 2].map((n) => new DOMPoint(places[n], places[n + 1]).matrixTransform(matrix))
     .map(({ x, y }) => [x, y]);
 }"""
+#: The width and the height of a panel in the window.
+_SIZE = """(panel) => {
+  const box = document.querySelectorAll(".drawing svg")[panel].getBoundingClientRect();
+  return [box.width, box.height];
+}"""
 #: The arrow of a stroke as it is drawn: where its shaft begins, and the tip of its head.
 _DRAWN = """(beat) => {
   const group = [...document.querySelectorAll(`[data-s="${beat}"]`)]
@@ -127,12 +132,14 @@ def test_a_vector_leaves_its_source_and_lands_in_its_place(
         assert math.degrees(abs(cmath.phase((lifted[1] - lifted[0]) / (end - start)))) < 0.5
     trail = lever.evaluate(_TRAIL)
     short = math.hypot(places[6] - places[4], places[7] - places[5]) < 25.2
-    begins = phases[:-2] if short else phases[:-1]  # one too short to be seen shrinks afterwards
+    landing = flying(lever, number + 1.0 - 1e-6)
+    long = abs(landing[1] - landing[0]) > max(lever.evaluate(_SIZE, source))
+    begins = phases[:-2] if short or long else phases[:-1]  # it changes its size where it lands
     assert trail is None or len(begins) == 1
     before = flying(lever, number + sum(begins) / sum(phases))
     turned = math.degrees(cmath.phase((before[1] - before[0]) / (end - start)))
     assert turned == pytest.approx(turn, abs=0.5)
-    landing = flying(lever, number + 1.0 - 1e-6)
+    flying(lever, number + 1.0 - 1e-6)
     (begun, over), ring = lever.evaluate(_TRAIL)
     end = kind == "coriolis"  # its head docks
     assert abs(complex(begun[0], -begun[1]) - before[end]) < 1.5

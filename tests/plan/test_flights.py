@@ -275,6 +275,27 @@ def test_a_stretched_vector_does_not_lie_on_the_rows_of_the_table(kind):
     assert found > 1
 
 
+@pytest.mark.parametrize("name", ["slider-crank", "slotted lever with ram"])
+def test_a_vector_longer_than_the_picture_that_it_leaves_grows_where_it_lands(name):
+    """Over half the board its way could not be followed beside a caption."""
+    _, sheet = moving(name)
+    stage, found = Stage(sheet, screen((1280, 720)), KEY, travels(sheet)), 0
+    for number in range(1, stage.count):
+        scene, large = stage.scene(number), stage.layout(number).large
+        for travel, item, marks in shafts(scene):
+            shaft = next((mark for mark in marks if mark.role in ("vector", "whole")), None)
+            if shaft is None or not item.stroke.startswith(large):
+                continue
+            room = scene.sketches[travel.source].setting.room
+            most, home = max(room.width, room.height), ends(shaft, 1.0)[0]
+            for share in (part / 40 for part in range(41)):
+                tail, neck = ends(shaft, share)
+                if abs(neck - tail) > most:
+                    assert abs(tail - home) < 0.002 or travel.kind == "coriolis", item.stroke
+                    found += 1
+    assert found
+
+
 @pytest.mark.exhaustive(12)
 @pytest.mark.parametrize(
     "name", ["stephenson-3", "sewing-machine", "leg-from-coordinates", "drag-link", "four-bar"]

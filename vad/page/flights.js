@@ -1,6 +1,7 @@
 // Vectors that travel, as in films (vad/plan/pictures/flights.py): a copy of a link, or of a velocity,
 // turns, is stretched, and flies to its place in a polygon, in another panel of the page.  The image of a link
-// that lands larger flies first, and grows there; a vector that is too short to be seen flies first, and shrinks.
+// that lands larger flies first, and grows there, as does a vector that is longer than the picture that it leaves; one
+// that is too short to be seen flies first, and shrinks.
 // Its way is dotted, and where its head docks there is a ring.
 //
 // flights(root) -> {flight, draw}. flight(data, marks, svgs, beat) is one, by what vad/page/travels.py says
@@ -26,8 +27,8 @@ function flights(root) {
   let hidden = [], pale = [], shown = null;
 
   function flight([, kind, phases, from, turn, tilt, oblique, lift, ...places], marks, svgs, beat) {
-    const to = marks[0]?.ownerSVGElement, source = svgs[from];
-    if (!to || !source.getBoundingClientRect().width || !to.getBoundingClientRect().width) return null;
+    const to = marks[0]?.ownerSVGElement, source = svgs[from], { width, height } = source.getBoundingClientRect();
+    if (!to || !width || !to.getBoundingClientRect().width) return null;
     const at = (svg, n) => {
       const k = svg.closest(".grand") ? n + 8 : n;
       return new DOMPoint(places[k], places[k + 1]).matrixTransform(svg.getScreenCTM());
@@ -50,7 +51,8 @@ function flights(root) {
     const legs = [[tail.x, tail.y, size, turn]];
     if (lifts[kind]) legs.push([...place, seen, turn]);
     if (lifts[kind] !== lifts.normal) legs.push([...place, seen, tilt]);
-    const short = whole < SHRINKS * unit, last = area ? seen < 1 : short, [stretch, fly] = phases.slice(-2);
+    const short = whole < SHRINKS * unit, [stretch, fly] = phases.slice(-2);
+    const last = area ? seen < 1 : short || whole > Math.max(width, height);
     // A head that docks stays there.
     const [u, v] = way.map((each) => kind === "coriolis" ? (1 - seen) * each : 0);
     legs.push(last ? [start.x + u, start.y + v, seen, 0] : [...place, oblique, tilt], [start.x, start.y, 1, 0]);

@@ -178,8 +178,8 @@ class Flight:
         In which it stays; the rooms of all panels, over which it is stretched.
     grows_last
         Whether it flies before it is stretched: an image that is small so long, and a vector that
-        would lie upon what stands beside the panels, not be seen as it flies, or turn as it does so
-        to where it is seen from another side.
+        would be longer than the panel that it leaves, lie upon what stands beside the panels, not
+        be seen as it flies, or turn as it does so to where it is seen from another side.
     """
 
     stroke: str
@@ -214,10 +214,11 @@ class Flight:
         tails = (tail for each in polygon.items if each.stroke == stroke for tail in _tails(each))
         centre = next(tails, polygon.scale(travel.start))
         flight = cls(stroke, travel, polygon, during, index, source, figure, centre, *edges)
-        small = flight.seen < 1.0 if not flight.is_vector else length < SMALL
-        turns = travel.seen is not None
-        last = small or turns or (flight.is_vector and not flight.has_room())
-        return replace(flight, grows_last=last)
+        if not flight.is_vector:
+            return replace(flight, grows_last=flight.seen < 1.0)
+        room, turns = figure.setting.room, travel.seen is not None
+        fits = SMALL <= length <= max(room.width, room.height) and flight.has_room()
+        return replace(flight, grows_last=turns or not fits)
 
     @property
     def span(self) -> Span:
