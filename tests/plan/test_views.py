@@ -263,12 +263,16 @@ def test_the_note_of_a_view_stands_below_that_view(size: tuple[int, int], degree
     sketch = planned(sheet, size).sketches["position"]
     strokes = {stroke.name: stroke.shape for stroke in sheet.panel("position").strokes}
     star = sketch.scale(strokes["star.A"].points[0])
-    rose = sketch.scale(strokes["rose.circle"].centre)
-    notes = [tag.box for tag in sketch.tags if tag.text.startswith("along")]
-    assert len(notes) == 2
-    for box, own, other in zip(notes, (star, rose), (rose, star), strict=True):
-        assert box.top < own.imag and abs(box.centre - own) < 0.225  # not in the mechanism below
-        assert abs(box.centre.real - own.real) < abs(box.centre.real - other.real)
+    roses = [sketch.scale(strokes[f"{name}.angle"].centre) for name in ("rose", "DC")]
+    notes = {tag.text: tag.box.centre for tag in sketch.tags if tag.text.startswith("along")}
+    own = dict(zip(("along DA", "along A", "along D"), (star, *roses), strict=True))
+    assert notes.keys() == own.keys()
+    for text, at in notes.items():
+        assert at.imag < own[text].imag and abs(at - own[text]) < 0.225  # not in the mechanism
+        others = [spot for name, spot in own.items() if name != text]
+        assert abs(at.real - own[text].real) <= min(abs(at.real - spot.real) for spot in others)
+    along_a, along_d = (abs(notes["along A"] - spot) for spot in roses)
+    assert along_a < along_d
 
 
 def test_on_a_narrow_page_notes_have_short_lines_before_views_are_drawn_smaller():

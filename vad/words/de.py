@@ -378,6 +378,10 @@ PHRASES = {
         "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; es "
         "dreht sich hier mit *τ̇₃*: *ω₃* ⟂ *OI* im Gestell."
     ),
+    "bodies turned paced": (
+        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, mit *τ̇* = "
+        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ*."
+    ),
     "bodies line 24 velocity": (
         "∥ *OI* durch {point}, denn um *OI* dreht sich die Schwinge relativ zur Kurbel"
     ),
@@ -575,7 +579,7 @@ PHRASES = {
         "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt: dort haben *OP* und *OQ* "
         "ihre wahre Richtung."
     ),
-    "hooke turned frame": (
+    "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* = *ω₂*·tan "
         "*β*·sin 2*θ₂*·cos² *τ* dreht."
     ),
@@ -753,49 +757,56 @@ PHRASES = {
     # --- das räumliche Gelenkviereck
     # Lage
     "spatial star": "längs *DA*",
-    "spatial rose": "längs der Achse von *A*",
+    "spatial rose": "längs *A*",
+    "spatial rose D": "längs *D*",
     "spatial frame": (
         "*AD* = {size} {unit} ist die gemeinsame Normale der Achsen in *A* und *D* ({twist}°); in "
         "*D* gleitet die Schwinge auch."
     ),
     "spatial crank": (
-        "Die Kurbel *AB* = {size} {unit} steht bei {angle}° von *AD*, längs ihrer Achse gesehen."
+        "Die Kurbel *AB* = {size} {unit} steht bei {angle}° von *AD*, längs *A* gesehen."
     ),
     "spatial b": (
-        "Die Achse in *B* ist ⟂ *AB*, {twist}° von der in *A*; auf ihr dreht sich und gleitet die "
-        "Koppel."
+        "Die Achse in *B* ist ⟂ *AB*, {twist}° von der in *A*; die Koppel dreht sich und gleitet "
+        "auf ihr."
     ),
     "spatial directions": (
-        "*OA* und *OD* sind ∥ den Achsen, *OI* bei *τ* = {tau}° wie im sphärischen Viergelenk mit "
-        "diesen Winkeln als Bögen."
+        "*OA* bis *OD* sind ∥ den Achsen, wie im sphärischen Viergelenk: Bogen *BC* trifft "
+        "*AD* in *I*, *τ* = {tau}° von *OA*, unter *δ* = {delta}°; *IB* = {ib}°."
     ),
     "spatial slides": (
         "Drei Längen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
     ),
     "spatial bars": (
-        "Die Koppel *BC* = {coupler} {unit} und die Schwinge *DC* = {rocker} {unit} bei *θ₄* = "
+        "Die Koppel *BC* = {coupler} {unit}, die Schwinge *DC* = {rocker} {unit} bei *θ₄* = "
         "{theta}°."
     ),
     "spatial H": (
-        "Relativ zur Kurbel dreht sich die Schwinge um *I* ∥ *OI* und gleitet längs *I*; *H* liegt "
-        "auf *AD*, *AH* = {height} {unit}."
+        "Gegen die Kurbel dreht sich die Schwinge um *I* ∥ *OI* und gleitet längs *I*, das *AD* "
+        "in *H* trifft: *AH* = {height}."
     ),
     # die unteren Polygone
-    "spatial pole velocity": "Unten ist *a₄* *A* an der Schwinge; *a* und *d* sind fest.",
+    "spatial pole velocity": (
+        "Unten ist *a₄* *A* an der Schwinge, über *y* und *z* gefunden; *a*, *d* fest."
+    ),
     "spatial pole acceleration": "Wieder *a′₄*, *A* an der Schwinge.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich um *I*."
     ),
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*; *AH* "
-        "wächst mit *ḣ*, *τ* mit *τ̇*."
+        "wächst mit *ḣ*, dem Dualteil von *τ̇*."
     ),
-    "spatial about D": (
+    "spatial about D velocity": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* dreht sich "
         "um *D*."
     ),
+    "spatial about D acceleration": (
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
+    ),
     "spatial along I": "∥ *OI* durch {point}",
-    "spatial along D": "∥ *OD* durch {point}, denn *A* gleitet längs beider",
+    "spatial along D velocity": "∥ *OD* durch {point}, denn *A* gleitet längs beider",
+    "spatial along D acceleration": "∥ *OD* durch {point}",
     # --- das Gelenkviereck mit Kugelgelenken
     # Lageplan
     "balls ahead": "vor",

@@ -377,6 +377,10 @@ PHRASES = {
         "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, which "
         "turns here at *τ̇₃*, from *ω₃* ⟂ *OI* in the frame."
     ),
+    "bodies turned paced": (
+        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, which turns at *τ̇* = "
+        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ*."
+    ),
     "bodies line 24 velocity": (
         "∥ *OI* through {point}, as the rocker turns about *OI* relative to the crank"
     ),
@@ -557,7 +561,7 @@ PHRASES = {
         "The plane of the cross is turned about *OT* into the plane of the shafts: there *OP* and "
         "*OQ* have their true directions."
     ),
-    "hooke turned frame": (
+    "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, which turns at *τ̇* = "
         "*ω₂*·tan *β*·sin 2*θ₂*·cos² *τ*."
     ),
@@ -722,7 +726,8 @@ PHRASES = {
     # --- the spatial four-bar
     # position
     "spatial star": "along *DA*",
-    "spatial rose": "along the axis of *A*",
+    "spatial rose": "along *A*",
+    "spatial rose D": "along *D*",
     "spatial frame": (
         "*AD* = {size} {unit} is the common normal of the axes at *A* and *D*, twisted by "
         "{twist}°; at *D* the rocker also slides."
@@ -734,8 +739,8 @@ PHRASES = {
         "The axis at *B* is ⟂ *AB*, {twist}° from that at *A*; on it the coupler turns and slides."
     ),
     "spatial directions": (
-        "*OA* and *OD* are ∥ the axes; *OI*, at *τ* = {tau}° from *OA*, is that of the spherical "
-        "four-bar with the twists as arcs."
+        "*OA* to *OD* are ∥ the axes, as in the spherical four-bar: the arc *BC* meets *AD* at "
+        "*I*, *τ* = {tau}° from *OA*, under *δ* = {delta}°; *IB* = {ib}°."
     ),
     "spatial slides": "Three slides close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}.",
     "spatial bars": (
@@ -747,21 +752,28 @@ PHRASES = {
         "crosses *AD* at *H*: *AH* = {height} {unit}."
     ),
     # the lower polygons
-    "spatial pole velocity": "Below, *a₄* is *A* as a point of the rocker; *a* and *d* are fixed.",
+    "spatial pole velocity": (
+        "Below, *a₄* is *A* as a point of the rocker, found over *y* and *z*; *a* and *d* are "
+        "fixed."
+    ),
     "spatial pole acceleration": "Again *a′₄*, *A* as a point of the rocker.",
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I*."
     ),
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*; *AH* "
-        "grows at *ḣ*, *τ* at *τ̇*."
+        "grows at *ḣ*, the dual part of *τ̇*."
     ),
-    "spatial about D": (
+    "spatial about D velocity": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* turns about "
         "*D*, too."
     ),
+    "spatial about D acceleration": (
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
+    ),
     "spatial along I": "∥ *OI* through {point}",
-    "spatial along D": "∥ *OD* through {point}, as *A* slides along both",
+    "spatial along D velocity": "∥ *OD* through {point}, as *A* slides along both",
+    "spatial along D acceleration": "∥ *OD* through {point}",
     # --- the ball-jointed four-bar
     # position
     "balls ahead": "in front of",

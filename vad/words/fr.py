@@ -385,6 +385,10 @@ PHRASES = {
         "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui "
         "tourne ici à *τ̇₃*, avec *ω₃* ⟂ *OI* dans le bâti."
     ),
+    "bodies turned paced": (
+        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, qui tourne à *τ̇* = "
+        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ*."
+    ),
     "bodies line 24 velocity": "∥ *OI* par {point}, axe du balancier par rapport à la manivelle",
     "bodies line 14 velocity": "∥ *OD* par {point}, son axe par rapport au bâti",
     "bodies line 23 velocity": (
@@ -571,7 +575,7 @@ PHRASES = {
         "Le plan du croisillon est rabattu autour de *OT* sur celui des arbres : *OP* et *OQ* y "
         "ont leur vraie direction."
     ),
-    "hooke turned frame": (
+    "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇* = *ω₂*·tan "
         "*β*·sin 2*θ₂*·cos² *τ*."
     ),
@@ -750,7 +754,8 @@ PHRASES = {
     # --- le quadrilatère spatial
     # position
     "spatial star": "suivant *DA*",
-    "spatial rose": "suivant l’axe en *A*",
+    "spatial rose": "suivant *A*",
+    "spatial rose D": "suivant *D*",
     "spatial frame": (
         "*AD* = {size} {unit} est la normale commune des axes en *A* et en *D*, à {twist}° ; en "
         "*D* le balancier glisse aussi."
@@ -762,8 +767,8 @@ PHRASES = {
         "L’axe en *B* est ⟂ *AB*, à {twist}° de celui en *A* ; la bielle y tourne et y glisse."
     ),
     "spatial directions": (
-        "*OA* et *OD* sont ∥ aux axes, *OI* à *τ* = {tau}° de *OA* comme dans le quadrilatère "
-        "sphérique ayant ces angles pour arcs."
+        "*OA* à *OD* sont ∥ les axes, comme au quadrilatère sphérique : l’arc *BC* coupe "
+        "*AD* en *I*, à *τ* = {tau}° de *OA*, sous *δ* = {delta}° ; *IB* = {ib}°."
     ),
     "spatial slides": (
         "Trois longueurs ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
@@ -778,7 +783,8 @@ PHRASES = {
     ),
     # les polygones du bas
     "spatial pole velocity": (
-        "En bas, *a₄* est *A* comme point du balancier ; *a* et *d* sont fixes."
+        "En bas, *a₄* est *A* comme point du balancier, trouvé par *y* et *z* ; *a*, *d* sont "
+        "fixes."
     ),
     "spatial pole acceleration": "Encore *a′₄*, *A* comme point du balancier.",
     "spatial about I velocity": (
@@ -787,14 +793,18 @@ PHRASES = {
     ),
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* ; *AH* "
-        "croît à *ḣ*, *τ* à *τ̇*."
+        "croît de *ḣ*, partie duale de *τ̇*."
     ),
-    "spatial about D": (
+    "spatial about D velocity": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : *A* tourne "
         "autour de *D*."
     ),
+    "spatial about D acceleration": (
+        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
+    ),
     "spatial along I": "∥ *OI* par {point}",
-    "spatial along D": "∥ *OD* par {point}, car *A* glisse suivant les deux",
+    "spatial along D velocity": "∥ *OD* par {point}, car *A* glisse suivant les deux",
+    "spatial along D acceleration": "∥ *OD* par {point}",
     # --- le quadrilatère à rotules
     # position
     "balls ahead": "devant",

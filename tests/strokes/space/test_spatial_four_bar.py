@@ -194,6 +194,35 @@ def test_i_is_where_the_planes_of_frame_and_coupler_meet(angle: float):
     assert np.linalg.det([b, c, i]) == pytest.approx(0.0, abs=1e-9)
 
 
+@poses
+def test_the_rate_at_which_oi_turns_follows_from_what_the_star_shows(angle: float):
+    views, polygon = (sheet(angle).panel(name) for name in ("position", "acceleration"))
+    told: Any = stroke(views, "star.O").said
+    delta, tau, ib = (
+        math.radians(next(told.figures((each,))).value) for each in ("delta", "tau", "ib")
+    )
+    said: Any = stroke(polygon, "24.normal").said
+    pace, omega = (next(said.figures((each,))).value for each in ("pace", "omega"))
+    cell = next(
+        cell for row in sheet(angle).rows for cell in row.cells["velocity"] if cell.symbol == "ω₄₂"
+    )
+    assert omega == pytest.approx(abs(cell.value))
+    twist = math.radians(55.0)
+    along = cell.value * math.sin(ib) * math.sin(ib + twist) / math.sin(twist)
+    wanted = (along - 10.0 * math.sin(tau) * math.cos(delta)) / math.sin(delta)
+    assert pace == pytest.approx(abs(wanted))
+    # B and C are seen on circles about OA and OD.
+    centre, (_, a), (_, d) = (
+        dot(views, "star.O"),
+        curve(views, "star.A"),
+        curve(views, "star.D"),
+    )
+    for letter, start, arc in (("B", a, 30.0), ("C", d, 45.0)):
+        way, axis = dot(views, f"{letter}.sphere") - centre, start - centre
+        cosine = (way * axis.conjugate()).real / abs(axis) ** 2
+        assert cosine == pytest.approx(math.cos(math.radians(arc)))
+
+
 def test_tracks_of_a_whole_turn_are_the_vertices_of_its_poses():
     angles = np.array(ANGLES, dtype=float)
     many = vad.solve(vad.SpatialFourBar(), angle=angles, omega=10.0, alpha=40.0)
@@ -288,11 +317,8 @@ def test_the_star_is_large_and_has_its_angles(angle: float):
     rays = {letter: curve(views, f"star.{letter}") for letter in "ADI"}
     ways = {letter: (end - start) for letter, (start, end) in rays.items()}
     assert all(abs(way) > 0.5 * abs(joints[1] - joints[0]) for way in ways.values())
-    for name, end in (("twist", "D"), ("tau", "I")):
-        shape = stroke(views, f"star.{name}").shape
-        assert isinstance(shape, Arc)
-        turned = cmath.phase(ways[end] / ways["A"])
-        assert math.radians(shape.sweep) == pytest.approx(turned, abs=1e-9)
-        assert cmath.rect(1.0, math.radians(shape.start)) == pytest.approx(
-            ways["A"] / abs(ways["A"])
-        )
+    shape = stroke(views, "star.tau").shape
+    assert isinstance(shape, Arc)
+    turned = cmath.phase(ways["I"] / ways["A"])
+    assert math.radians(shape.sweep) == pytest.approx(turned, abs=1e-9)
+    assert cmath.rect(1.0, math.radians(shape.start)) == pytest.approx(ways["A"] / abs(ways["A"]))

@@ -1,13 +1,14 @@
-"""The spatial four-bar: a pictorial view, the star of its directions and the crank's rose.
+"""The spatial four-bar: a pictorial view, the star of its directions, and two roses.
 
-The view is fixed; star and rose stand above all that the mechanism reaches in a turn.
+The view is fixed; star and roses stand above all that the mechanism reaches in a turn.
 """
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from typing import Any
 
-from vad.kinematics.numbers import bearing, copysign, fold, vector
+from vad.kinematics.numbers import bearing, copysign, fold, minimum, not_below, vector
 from vad.kinematics.space.instant_axis import Z
 from vad.strokes.arithmetic import Figure
 from vad.strokes.diagram import Drawing, Spot
@@ -15,7 +16,7 @@ from vad.strokes.sheet import Arrow, Block, Curve, Dot
 from vad.strokes.space.body_polygons import Names
 from vad.strokes.space.layout import Corners, corners, over_a_turn
 from vad.strokes.space.sliding import SlidingScript
-from vad.strokes.space.view import View, through
+from vad.strokes.space.view import ORIGIN, View, through
 from vad.strokes.vector_equations import NOTHING
 
 #: The direction of the view: degrees about a, and above the plane perpendicular to a.
@@ -24,13 +25,18 @@ PICTORIAL = View.from_above(azimuth=-62.0, elevation=38.0)
 POSES = 48
 #: Lengths as shares of the mechanism's reach: axes beyond their points, shafts beyond sleeves.
 AXIS, SHAFT, BEARING = 0.13, 0.06, 0.10
-#: The star's rays, the radius of the rose, and the space above the mechanism.
-RAY, ROSE, ABOVE = 0.34, 0.10, 0.02
-#: Radii of the star's arcs as shares of its rays: between a and d, and from a to I.
-ARCS = 0.35, 0.7
-#: The slides: from where to where, and in whose row.
-SLIDES = {"B": ("B", "coupler B", "axis"), "C": ("rocker C", "C", "rocker")}
-SLIDES["D"] = "D", "rocker D", "rocker"
+#: The star's rays, the radius of the roses, and the space above the mechanism.
+RAY, ROSE, ABOVE = 0.30, 0.10, 0.02
+#: How far the rose of the rocker is below that of the crank.
+ROSES = 0.38
+#: The radius of the arc from a to I, as a share of the star's rays.
+TAU = 0.7
+#: The slides: from where to where, and in whose row.  The coupler has none.
+SLIDES: Mapping[str, tuple[str, str, str | None]] = {
+    "B": ("B", "coupler B", None),
+    "C": ("rocker C", "C", "rocker"),
+    "D": ("D", "rocker D", "rocker"),
+}
 
 
 class Script(SlidingScript):
@@ -44,7 +50,7 @@ class Script(SlidingScript):
 
     def names(self) -> Names:
         rows = {"12": "crank", "24": "axis", "14": "rocker"}
-        return Names(rows, lines={"24": "I", "14": "D"})
+        return Names(rows, lines={"24": "I", "14": "D"}, paced=True)
 
     def places(self) -> Mapping[Spot, Any]:
         found = {Spot(letter): PICTORIAL.way(self.place(letter)) for letter in "ABCD"}
@@ -71,15 +77,15 @@ class Script(SlidingScript):
         reach = max((high - low).real, (high - low).imag)
         top = high.imag + (ABOVE + RAY) * reach
         star = vector(low.real + RAY * reach, top)
-        rose = vector(high.real - 1.5 * ROSE * reach, top - ROSE * reach)
+        aside = high.real - 1.5 * ROSE * reach
+        rose, other = (vector(aside, top + by * ROSES * reach) for by in (0.5, -0.5))
 
         def axis(point: str, way: str) -> Curve:
             return through(at[point], AXIS * reach * at[way])
 
         self.tell("frame", size=length("ground"), twist=given("ground_twist"))
-        guide("a.axis", axis("A", "a"))
-        guide("d.axis", axis("D", "d"))
-        guide("AD.ground", Curve((at["A"], at["D"])))
+        both = *axis("A", "a").points, *axis("D", "d").points
+        guide("axes", Curve((*both, at["A"], at["D"]), breaks=(2, 4)))
         seat = at["A"] - BEARING * reach * at["a"]
         ends = at["A"] - (BEARING + SHAFT) * reach * at["a"], at["A"]
         self.shaft("A", ends, seat, _way(at["a"]), "crank")
@@ -87,57 +93,62 @@ class Script(SlidingScript):
         fixed("D.sleeve", Block(at["D"], _way(at["d"])))
         fixed("D.fixed", Dot(at["D"]), label="D")
         self.tell("crank", size=length("crank"), angle=self.driven)
-        names, radius = ("rose.circle", "rose.reference", "rose.crank", "rose.angle"), ROSE * reach
-        self.rose(names, rose, (radius, 1.5 * radius, 1.3 * radius), self.driven, "crank")
+        names, radius = ("", "rose.reference", "rose.crank", "rose.angle"), ROSE * reach
+        sizes = radius, 1.5 * radius, 1.3 * radius
+        self.rose(names, rose, sizes, self.driven, "crank")
         known("AB.crank", Arrow(at["A"], at["B"], "A", "B"), "crank", body=True)
         self.tell("b", twist=given("crank_twist"))
         guide("b.axis", axis("B", "b"))
         known("B.sleeve", Block(at["B"], _way(at["b"])), "crank")
-        self.tell("directions", tau=self.angle(self.bodies.screw.tau))
-        rays = {x: Curve((star, star + RAY * reach * at[f"true {x}"])) for x in "ADI"}
+        ray, bodies = RAY * reach, self.bodies
+        sphere = replace(self.frame(), at=star, turn=ray * self.frame().turn)
+        a, b, c, d = Z, bodies.axis.b, bodies.axis.c, bodies.axis.d
+        tau, from_b = bodies.screw.tau, bodies.arc(b)
+        angles = {"tau": tau, "delta": bodies.screw.delta, "ib": from_b}
+        self.tell("directions", **{name: self.angle(each) for name, each in angles.items()})
         crossing("star.O", Dot(star), label="O")
-        known("star.A", rays["A"], "crank", "OA")
-        known("star.D", rays["D"], "rocker", "OD")
-        construction("star.I", rays["I"], "axis", "OI")
-        ray, begin = RAY * reach, bearing(at["true A"])
-        twist = self.angle(fold(bearing(at["true D"]) - begin))
-        self.arc(
-            "star.twist",
-            star,
-            ARCS[0] * ray,
-            twist,
-            "rocker",
-            self.degrees(given("ground_twist")),
-            begin,
-        )
-        tau = self.bodies.screw.tau
+        for letter, way, row in (("A", a, "crank"), ("D", d, "rocker")):
+            known(f"star.{letter}", Curve((star, sphere.point(way))), row, f"O{letter}")
+        begin = bearing(at["true A"])
+        crossing("B.sphere", Dot(sphere.point(b)), "crank", "B")
+        crossing("C.sphere", Dot(sphere.point(c)), "rocker", "C")
+        start = minimum(0.0, from_b)
+        sweep = not_below(0.0, from_b + self.sizes["coupler_twist"]) - start
+        great = sphere.circle(ORIGIN, bodies.axis.i, bodies.axis.j, start, sweep)
+        construction("BC.sphere", replace(great, far=()), "axis")
+        construction("star.I", Curve((star, sphere.point(bodies.axis.i))), "axis", "OI")
         turned = self.angle(fold(bearing(at["true I"]) - begin))
-        self.arc(
-            "star.tau", star, ARCS[1] * ray, turned, "axis", self.degrees(self.angle(tau)), begin
-        )
+        size = self.degrees(self.angle(tau))
+        self.arc("star.tau", star, TAU * ray, turned, "axis", size, begin)
         self.tell("slides", **{x.lower(): Figure(at[f"s_{x}"], unit) for x in "BCD"})
         guide("c.axis", axis("C", "c"))
-        for x, (start, end, row) in SLIDES.items():
-            result(f"{x}.slide", Curve((at[start], at[end])), row, f"s_{x}")
+        for x, (first, last, link) in SLIDES.items():
+            result(f"{x}.slide", Curve((at[first], at[last])), link, f"s_{x}")
             if abs(at[f"s_{x}"]) <= NOTHING * reach:
                 self.leave_out()
-        sizes = {"coupler": length("coupler"), "rocker": length("rocker")}
-        self.tell("bars", theta=self.angle("rocker"), **sizes)
+        lengths = {"coupler": length("coupler"), "rocker": length("rocker")}
+        theta = self.angle("rocker")
+        self.tell("bars", theta=theta, **lengths)
         begin = at["B"] + copysign(SHAFT * reach, -at["s_B"] + 0.0) * at["b"]
-        bar("BC.coupler", Curve((begin, at["coupler B"], at["C"])), "axis")
-        result("C.sleeve", Block(at["C"], _way(at["c"])), "axis")
+        bar("BC.coupler", Curve((begin, at["coupler B"], at["C"])))
+        result("C.sleeve", Block(at["C"], _way(at["c"])))
         begin = at["C"] + copysign(SHAFT * reach, at["s_C"] + 0.0) * at["c"]
+        names = "", "D.reference", "DC.rose", "DC.angle"
+        self.rose(names, other, sizes, theta, "rocker", "θ₄")
         end = at["D"] + copysign(SHAFT * reach, -at["s_D"] + 0.0) * at["d"]
         rocker = Curve((begin, at["rocker C"], at["rocker D"], end))
-        bar("DC.rocker", rocker, "rocker", reveals=("rocker",))
-        crossing("C.found", Dot(at["C"]), "axis", "C")
+        bar("DC.rocker", rocker, "rocker")
+        crossing("C.found", Dot(at["C"]), "rocker", "C")
         self.tell("H", height=Figure(self.bodies.height, unit))
         construction("I.axis", axis("H", "i"), "axis", "I")
         crossing("H.found", Dot(at["H"]), label="H", reveals=("axis",))
         of_star = self.note(star - 1.15j * RAY * reach, "star", "star.A")
-        of_rose = self.note(rose - 2.2j * ROSE * reach, "rose", "rose.circle")
+        of_rose = self.note(rose - 1.6j * ROSE * reach, "rose", "rose.crank")
+        of_other = self.note(other - 1.6j * ROSE * reach, "rose D", "DC.rose")
         right = "AD", "D.slide", "DC.rocker", "C.slide"
-        return self.finished(("AB.crank", "B.slide", "BC.coupler"), right, of_star, of_rose)
+        return self.finished(
+            ("AB.crank", "B.slide", "BC.coupler"), right, of_star, of_rose, of_other
+        )
 
 
 @lru_cache(maxsize=32)

@@ -277,7 +277,7 @@ class BodyPolygon:
         parts["value"] = Figure(abs(value), self.unit)
         parts["omega"] = Figure(abs(real(self.bodies.pace.omega)), VELOCITY.unit)
         if self.names.paced:
-            steps = product("value", "omega", "pace")
+            plane, steps = "paced", product("value", "omega", "pace")
             parts["pace"] = Figure(abs(real(pace)), VELOCITY.unit)
         else:
             steps = product_of_sines("value", "omega", "part", "delta")

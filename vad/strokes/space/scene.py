@@ -293,13 +293,14 @@ class Script(ABC):
         """Draw an angle in true size beside a view: rim, line of reference, arm and arc.
 
         ``sizes`` are the radius of the rim, the length of the reference and the radius of the arc.
-        With a label of its own the angle is a result.
+        Without the name of a rim, none is drawn.  With a label of its own the angle is a result.
         """
         (rim, reference, arm, arc), (radius, length, inner) = names, sizes
         end = at + ray(angle.value) * radius
         kinds: tuple[Kind, Kind] = ("construction", "result") if label else ("known", "known")
         reveals = (link,) if label else ()
-        self.draw(kinds[0], rim, circle(at, radius), link)
+        if rim:
+            self.draw(kinds[0], rim, circle(at, radius), link)
         self.draw("guide", reference, Curve((at, at + length)))
         self.draw(kinds[1], arm, Arrow(at, end, "", ""), link, body=True, reveals=reveals)
         self.arc(arc, at, inner, angle, link, label)

@@ -82,7 +82,7 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
     )
 
     def found(letter: str, value: float, symbol: str) -> dict[str, Callable[..., Sentence]]:
-        line = partial(say, f"spatial along {letter}")
+        line = partial(say, f"spatial along {letter}" + (f" {panel}" if letter == "D" else ""))
         figure = Figure(value, unit)
         return {
             "line": line,
@@ -116,7 +116,7 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
     slid = getattr(script.motion.slide("slide_d"), order.panel)
     about_d = partial(
         say,
-        "spatial about D",
+        f"spatial about D {panel}",
         product("value", "turn", "lever"),
         symbol=order.symbol + subscript(4),
         turn=Figure(abs(turn), order.unit),
