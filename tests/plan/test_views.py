@@ -269,10 +269,11 @@ def test_the_note_of_a_view_stands_below_that_view(size: tuple[int, int], degree
     assert notes.keys() == own.keys()
     for text, at in notes.items():
         assert at.imag < own[text].imag and abs(at - own[text]) < 0.225  # not in the mechanism
-        others = [spot for name, spot in own.items() if name != text]
-        assert abs(at.real - own[text].real) <= min(abs(at.real - spot.real) for spot in others)
-    along_a, along_d = (abs(notes["along A"] - spot) for spot in roses)
-    assert along_a < along_d
+    for at, (this, other) in zip(
+        (notes["along A"], notes["along D"]), (roses, roses[::-1]), strict=True
+    ):
+        assert abs(at - this) < abs(at - other)
+        assert abs(at.real - this.real) < abs(at.real - star.real)
 
 
 def test_on_a_narrow_page_notes_have_short_lines_before_views_are_drawn_smaller():
