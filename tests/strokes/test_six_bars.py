@@ -290,6 +290,12 @@ def test_a_side_that_is_not_given_follows_from_an_angle(motion: vad.Motion, said
     assert found == said
 
 
+def test_signs_of_an_arm_whose_block_lies_behind_its_pivot_are_told():
+    told = {s.name: s.caption for s in drawn("whitworth-ram.toml")[0][1].panels[0].strokes}
+    assert told["O4Q.bar"].endswith(": B is on the other side of O4.")
+    assert told["QA.block"].endswith("s = −1.513 in, measured from O4 towards B.")
+
+
 def test_of_many_parameters_the_coordinates_come_last():
     names = [name for name, _, _ in drawn("jansen-leg.toml")[0][1].parameters]
     lengths = ["crank", "link j", "CD", "CE", "DE", "link k", "link c", "link f", "FG", "FH", "GH"]

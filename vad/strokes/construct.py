@@ -364,4 +364,4 @@ class _Construction:
             tail, head = points_of(self.motion.mechanism.links[bar.link])
             bar = Bar(tail + head, bar.link, self.scene.span(tail, head))
             self.found.update((tail, head))
-        self.ink.bar(bar, "result", "bar")
+        self.ink.bar(bar, "result", "bar backward" if self.scene.backward(bar) else "bar")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from vad.kinematics.linkage import Bar, Slide, angle_of, scalar_of
+from vad.kinematics.linkage import Bar, Slide, angle_of, points_of, scalar_of
 from vad.strokes.arithmetic import Figure
 from vad.strokes.scene import Scene
 from vad.strokes.sentences import Noun, SentencePart, Unit
@@ -103,6 +103,7 @@ class PositionPencil:
             "symbol": scene.members.symbol("θ", bar.link),
             "letter": head,
             "tail": tail,
+            "end": points_of(scene.motion.mechanism.links[bar.link])[1],
         }
 
     def plate(self, link: str) -> None:
@@ -156,8 +157,15 @@ class PositionPencil:
             "unit": Unit(self.scene.unit),
             "tail": start,
         }
+        owner = self.scene.motion.mechanism.links.get(on or "", "")
         if symbol == "s":
             phrase += " beside" if beside and not driven else " from"
+            if (
+                phrase == "block from"
+                and owner
+                and self.scene.motion.slide(slide.name).position < 0
+            ):
+                phrase, parts["end"] = "block towards", points_of(owner)[1]
         self.join(slide.name, letter)
         self._record_ride(slide)
         self.draw(

@@ -118,6 +118,12 @@ PHRASES = {
     "on slot": "{letter} ist der Schnittpunkt des Schlitzes mit der Führung.",
     "on lever": "{letter} ist der Punkt {link:des}, der jetzt unter {pin} liegt.",
     "bar": "{link:Der} {bar} steht bei {symbol} = {angle}°.",
+    "bar backward": (
+        "{link:Der} {bar} steht bei {symbol} = {angle}°: {end} liegt jenseits von {tail}."
+    ),
+    "block towards": (
+        "{slide:Der} {head} steht bei {symbol} = {value} {unit}, gemessen von {tail} nach {end}."
+    ),
     "block": "{slide:Der} {head} steht bei {symbol} = {value} {unit}.",
     "block from": ("{slide:Der} {head} steht bei {symbol} = {value} {unit}, von {tail} aus."),
     "block beside": (

@@ -126,6 +126,13 @@ PHRASES = {
     "on slot": "{letter} is where the line of the slot meets the guide.",
     "on lever": "{letter} is the point of the {link} that is now under {pin}.",
     "bar": "The {link} {bar} stands at {symbol} = {angle}°.",
+    "bar backward": (
+        "The {link} {bar} stands at {symbol} = {angle}°: {end} is on the other side of {tail}."
+    ),
+    "block towards": (
+        "The {slide} {head} stands at {symbol} = {value} {unit}, measured from {tail} towards "
+        "{end}."
+    ),
     "block": "The {slide} {head} stands at {symbol} = {value} {unit}.",
     "block from": "The {slide} {head} stands at {symbol} = {value} {unit}, measured from {tail}.",
     "block beside": (

@@ -124,6 +124,13 @@ PHRASES = {
     "on slot": "{letter} est à l’intersection de la glissière et de l’axe de la rainure.",
     "on lever": "{letter} est le point {link:du} qui est maintenant sous {pin}.",
     "bar": "{link:Le} {bar} fait un angle {symbol} = {angle}° avec l’axe *x*.",
+    "bar backward": (
+        "{link:Le} {bar} fait un angle {symbol} = {angle}° avec l’axe *x* : {end} est au-delà de "
+        "{tail}."
+    ),
+    "block towards": (
+        "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, mesuré de {tail} vers {end}."
+    ),
     "block": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}.",
     "block from": "{slide:Le} {head} se trouve en {symbol} = {value} {unit}, mesuré depuis {tail}.",
     "block beside": (
