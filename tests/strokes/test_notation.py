@@ -182,7 +182,7 @@ def test_no_two_results_of_a_panel_have_one_symbol(name: str) -> None:
     [
         ("offset-lever", "measured along the slot from its point nearest to D."),
         ("pin-on-rocker", "measured along the slot from its point nearest to D."),
-        ("whitworth-ram", "measured from O4."),
+        ("whitworth-ram", "measured from O4 towards B."),
     ],
 )
 def test_a_place_on_a_slot_beside_its_pivot_is_not_the_distance_from_it(

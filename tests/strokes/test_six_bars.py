@@ -319,7 +319,7 @@ def test_an_arm_whose_block_lies_behind_its_pivot_is_named_by_its_own_ends():
     motion, sheet = drawn("whitworth-ram.toml")[0]
     assert motion.slide("block").position < 0.0
     angle = sheet.notation.number(motion.link("arm").angle, "°")
-    assert f"The arm O4B stands at θ₄ = {angle}°." in captions("whitworth-ram.toml")
+    assert f"The arm O4B stands at θ₄ = {angle}°:" in captions("whitworth-ram.toml")
 
 
 def test_what_slides_in_a_cylinder_is_its_piston():
