@@ -30,12 +30,33 @@ def test_the_window_saves_it_and_opens_it(client: TestClient) -> None:
 @pytest.mark.parametrize(
     ("wrong", "says"),
     [
-        ("", {"de": "a.toml: es gibt keinen festen Punkt", "fr": "a.toml: il n’y a aucun point"}),
-        ("crank = { AB = -4 }", {"de": "a.toml, Zeile 4: crank: muss", "fr": "a.toml, ligne 4: "}),
-        ("crank = 3", {"de": "a.toml, Zeile 4: crank: muss Abstände", "fr": "a.toml, ligne 4: "}),
-        ("a = ?", {"de": "a.toml, Zeile 4: ist ab Spalte 5 kein TOML", "fr": "a.toml, ligne 4: "}),
-        ('a = """', {"de": "a.toml, Zeile 5: ist am Ende kein TOML", "fr": "a.toml, ligne 5: "}),
-        ("[linsk]", {"de": "a.toml, Zeile 4: 'linsk' ist unbekannt", "fr": "a.toml, ligne 4: "}),
+        (
+            "",
+            {
+                "de": "a.toml: es gibt keinen festen Punkt",
+                "fr": "a.toml\u00a0: il n’y a aucun point",
+            },
+        ),
+        (
+            "crank = { AB = -4 }",
+            {"de": "a.toml, Zeile 4: crank: muss", "fr": "a.toml, ligne 4\u00a0: "},
+        ),
+        (
+            "crank = 3",
+            {"de": "a.toml, Zeile 4: crank: muss Abstände", "fr": "a.toml, ligne 4\u00a0: "},
+        ),
+        (
+            "a = ?",
+            {"de": "a.toml, Zeile 4: ist ab Spalte 5 kein TOML", "fr": "a.toml, ligne 4\u00a0: "},
+        ),
+        (
+            'a = """',
+            {"de": "a.toml, Zeile 5: ist am Ende kein TOML", "fr": "a.toml, ligne 5\u00a0: "},
+        ),
+        (
+            "[linsk]",
+            {"de": "a.toml, Zeile 4: 'linsk' ist unbekannt", "fr": "a.toml, ligne 4\u00a0: "},
+        ),
     ],
 )
 @pytest.mark.parametrize("code", ["de", "fr"])
