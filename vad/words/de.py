@@ -852,7 +852,7 @@ PHRASES = {
     "balls along both": "dreht sich mit *BC*: *BC* und Bahn von *C* in wahrer Länge",
     # Pläne
     "balls path": "Bahn von *C*",
-    "balls remark": "wie in der Ansicht rechts; die Koppel dreht sich nicht um *BC*",
+    "balls remark": "gezeichnet in der Ansicht rechts; die Koppel dreht sich nicht um *BC*",
     "balls tangential": "{label} = {symbol}·*BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
     "balls normal": (
         "{label} = {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}."

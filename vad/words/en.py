@@ -820,7 +820,7 @@ PHRASES = {
     "balls along both": "turns with *BC*: *BC* and path of *C* in true length",
     # polygons
     "balls path": "path of *C*",
-    "balls remark": "as seen in the view on the right; the coupler does not spin about *BC*",
+    "balls remark": "drawn in the view on the right; the coupler does not spin about *BC*",
     "balls tangential": "{label} = {symbol}·*BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
     "balls normal": (
         "{label} = {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}."

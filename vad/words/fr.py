@@ -851,7 +851,7 @@ PHRASES = {
     "balls along both": "tourne avec *BC* : *BC* et trajectoire de *C* en vraie grandeur",
     # polygones
     "balls path": "trajectoire de *C*",
-    "balls remark": "comme dans la vue de droite ; la bielle ne tourne pas autour de *BC*",
+    "balls remark": "tracé dans la vue de droite ; la bielle ne tourne pas autour de *BC*",
     "balls tangential": "{label} = {symbol}·*BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
     "balls normal": (
         "{label} = {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail}."
