@@ -127,5 +127,5 @@ def test_where_a_point_is_the_output_its_velocity_and_acceleration_are_said(name
 
 def test_of_an_output_point_that_rests_the_link_is_said_to_stand_still():
     leg = vad.load(example_path("jansen-leg"))()
-    assert said(vad.solve(leg, omega=0.0)) == "At 60° the foot FG stands still for an instant."
-    assert said(vad.solve(leg), "position", "velocity").endswith("mm/s at 183.2° from x.")
+    assert said(vad.solve(leg, omega=0.0)) == "At 45° the foot FG stands still for an instant."
+    assert said(vad.solve(leg), "position", "velocity").endswith("mm/s at 181.0° from x.")

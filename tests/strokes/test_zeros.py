@@ -148,7 +148,7 @@ def test_a_point_in_line_of_a_link_that_does_not_turn_is_found_without_a_proport
 
 def test_a_caption_says_that_a_vector_is_too_short_to_be_seen() -> None:
     """At 0.012 rad/s a link has a normal acceleration that no lens shows."""
-    motion = vad.solve(vad.load(example_path("jansen-leg"))())
+    motion = vad.solve(vad.load(example_path("jansen-leg"))(), angle=60.0)
     (panel,) = vad.draw(motion, panels=("acceleration",)).panels
     sizes = {
         stroke.label: abs(stroke.shape.end - stroke.shape.start)
