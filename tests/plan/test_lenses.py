@@ -23,15 +23,16 @@ from tests.plan.knots import (
 from tests.plan.overlaps import KEY, overlaps, planned
 from tests.plan.test_overlaps import still
 from vad.files.examples import example_names, example_path
-from vad.plan.board import Plan
+from vad.plan.board import Plan, reach
 from vad.plan.format import screen
-from vad.plan.items import FOREVER, Level
+from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.close import MOST
 from vad.plan.labels.placing import distance
 from vad.plan.lens import BAND, Lens
 from vad.plan.lettering.glyphs import ink_size
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
+from vad.plan.page.free_places import meet
 from vad.plan.pictures import lensed
 from vad.plan.problem_sheet import blank_panels, problem
 from vad.plan.roles import ROLES
@@ -487,3 +488,24 @@ def test_a_construction_line_reaches_its_crossing_within_a_lens(name: str):
                     assert abs(part.imag) < 1e-9
                     met += 1
     assert met or name != "gate-actuator"
+
+
+def test_the_bar_of_a_lens_says_its_unit_where_that_has_room():
+    """In the picture of a lecture more often than in a still; it covers nothing."""
+    sheet = vad.draw(vad.solve(vad.Whitworth()))
+    sketch = planned(sheet).sketches["acceleration"]
+    (lens,) = sketch.lenses
+    said = [
+        mark
+        for item in sketch.items
+        if item.level == Level.LENS
+        for mark in item.marks
+        if mark.role == "notes" and isinstance(mark.shape, Lettering)
+    ]
+    assert [plain(mark.shape.runs) for mark in said] == ["×4", "200 mm/s²"]
+    box = reach([Item("", "", Level.LENS, tuple(said))])
+    others = [tag.box for tag in sketch.tags]
+    assert not any(meet(box, each) for each in others)
+    assert sketch.setting.room.holds(complex(box.left, box.bottom))
+    assert sketch.setting.room.holds(complex(box.right, box.top))
+    assert all(abs(z - lens.at) > lens.radius for z in (box.centre, complex(box.left, box.top)))

@@ -32,6 +32,7 @@ from vad.plan.pictures.lenses import (
     TRIED,
     Spot,
     Words,
+    whole_words_of,
     words_of,
 )
 from vad.plan.pictures.polygon import Polygon
@@ -145,7 +146,8 @@ class TurnLens:
         plate = bar_corners(middle - half, middle + half, words.height)
         blank = disc(lens.at, lens.radius, "lens"), area(plate, "lens")
         ground = Item("", region, Level.LENS, blank)
-        frame = Item("", region, Level.LENS, tuple(self.spot.frame()))
+        marks = *self.spot.frame(), *self.spot.words.marks(middle)
+        frame = Item("", region, Level.LENS, marks)
         for item in (ground, *drawn, frame):
             faded = (replace(mark, alpha=ink * mark.alpha) for mark in item.marks)
             yield replace(item, level=Level.LENS, marks=tuple(faded))
@@ -219,6 +221,11 @@ def find_lens(polygon: Polygon, ways: Hodographs, opening: float, fade: float) -
             lens = Lens(middle + shift, max(LEAST_RING, radius / factor), factor, 0j, radius)
             spot, covered = _place(polygon, lens, words, drawn + shift, most)
             if spot and covered <= COVERED and gain - covered > best[0]:
+                for whole in whole_words_of(setting, polygon.scale, factor):
+                    other = _place(polygon, lens, whole, drawn + shift, most)
+                    if other[0] and other[1] <= covered:
+                        spot = other[0]
+                        break
                 best = float(gain) - covered, Found(shift, spot, spans)
     return best[1]
 

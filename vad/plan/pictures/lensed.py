@@ -145,6 +145,7 @@ class LensedLabels(PlacedLabels):
 
         places = partial(close_places, setting, vertices, self._far, shown)
         self.close = places() if self._rank < NONE else []
+        found = None
         if self.close or self._more:
             pressing = places(pressing=True) if self.close else []
             self.pressing = bool(pressing)
@@ -173,6 +174,8 @@ class LensedLabels(PlacedLabels):
             early = [each for each in early if setting.after(each.since) < close.since]
             if early:
                 _for_a_time(sketch, early, radius, near, vertices, close.since)
+        if found:
+            found.say()
 
 
 def with_lenses(setting: Setting, draw: Draw) -> Sketch:
@@ -333,6 +336,11 @@ class Found(NamedTuple):
         for scene, spot, view in self.placed:
             sketch.close.append(view.close)
             scene.add(spot, view)
+
+    def say(self) -> None:
+        """Add their words to the drawing."""
+        for scene, spot, _ in self.placed:
+            scene.say(spot)
 
 
 def subsets(close: Sequence[Close]) -> Iterator[tuple[Close, ...]]:

@@ -37,8 +37,11 @@ ROOMY = 0.045
 #: The price of a place per page unit: from its place, and away from the sides of its room.
 INWARD = 0.8
 WORDS = 0.027  # the size of the words below a lens
-LONGEST_BAR = 0.060
+#: The longest bar below a lens, and one where its unit has no room otherwise.
+LONGEST_BAR, SHORT_BAR = 0.060, 0.026
 BELOW = 0.014  # from the rim to the words
+#: How far words with a unit may stand aside from the middle.
+ASIDE = (0.0, 0.02, -0.02, 0.04, -0.04, 0.06, -0.06)
 #: At so many of the places, the ends of a leader are turned by so much, where it lies on strokes.
 TURNED = 4
 TURNS = [
@@ -100,7 +103,7 @@ class Spot:
     covered: float = 0.0
 
     def frame(self, drawn: Obstacles | None = None) -> Iterator[Mark]:
-        """Yield its rim over a band, the circle about its place, its leader and its words.
+        """Yield its rim over a band, the circle about its place, and its leader.
 
         The leader runs behind what is ``drawn``: it is broken where it crosses a stroke.
         """
@@ -110,7 +113,26 @@ class Spot:
         yield disc(lens.at, lens.radius, "lens rim")
         yield disc(lens.place, lens.ring, "lens place")
         yield Mark(Polyline(pieces), "leader")
-        yield from self.words.marks(self.middle)
+
+    def stated(self, words: Words, obstacles: Obstacles) -> Spot | None:
+        """Return it with other words; None where they have no room beside all that is there."""
+        lens, box, inner = self.lens, words.box(0j), obstacles.edge.inside(CLEAR)
+        half = complex(words.wide, words.high) / 2
+        own = {self.words.box(self.middle), *lens.slabs}
+        others = replace(obstacles, boxes=[each for each in obstacles.boxes if each[0] not in own])
+        far = lens.radius + BELOW
+        offs = [side * far + 1j * side.imag * words.high / 2 for side in (-1j, 1j)]
+        offs = [off + aside for aside in ASIDE for off in offs]
+        offs += [side * (far + words.wide / 2) for side in (1.0, -1.0)]
+        middles = [lens.at + off for off in offs]
+        free = others.free(middles, words.wide, words.high, CLEAR, APART)
+        for middle in (at for at, is_free in zip(middles, free.tolist(), strict=True) if is_free):
+            there = box.moved(middle)
+            past = beyond(there, lens.place) > lens.ring + CLEAR
+            past &= not there.inside(-CLEAR).clipped(*lens.leader)
+            if past and inner.holds(there.centre - half) and inner.holds(there.centre + half):
+                return replace(self, words=words, middle=middle)
+        return None
 
     def block(self, obstacles: Obstacles, since: int) -> None:
         """Add it to what other ink keeps clear of."""
@@ -121,6 +143,15 @@ class Spot:
         obstacles.line(self.lens.leader, PIXEL, span)
         ring = circle(self.lens.place, self.lens.ring)
         obstacles.line(ring, ROLES["lens place"].width, span)
+
+
+def whole_words_of(setting: Setting, scale: Scale, enlarged: float) -> Iterator[Words]:
+    """Yield the words below a lens with the unit of what the bar stands for, the bar shorter."""
+    times, factor = roman(f"×{enlarged:g}"), enlarged * scale.factor
+    for longest in (LONGEST_BAR, SHORT_BAR):
+        value = scale_bar(factor, longest)
+        said = setting.sheet.notation.quantity(value, setting.panel.unit, given=True)
+        yield Words(times, value * factor, roman(said))
 
 
 def words_of(setting: Setting, scale: Scale, enlarged: float, few: bool = False) -> Words:

@@ -31,7 +31,7 @@ from vad.plan.labels.vertices import IN_LINE, Vertex, add_letters, wish
 from vad.plan.lens import BAND, Lens, Seen, block, circle
 from vad.plan.marks import Mark, Outline, disc
 from vad.plan.pictures.constructions import Ray
-from vad.plan.pictures.lenses import Field, Spot
+from vad.plan.pictures.lenses import Field, Spot, whole_words_of
 from vad.plan.pictures.vectors import growths_of
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Close, Sketch
@@ -178,6 +178,18 @@ class Scene:
         _block(ink, ((mark, mark.shape) for item in lasting for mark in item.marks))
         sketch.obstacles.lines += [(*each[:3], span) for each in ink.lines]
         sketch.lenses.append(lens)
+
+    def say(self, spot: Spot) -> None:
+        """Add the words of a lens, when all else is there: with their unit if that has room."""
+        sketch, span = self._sketch, (self.since, FOREVER)
+        stroke, setting = sketch.setting.panel.strokes[self._close.stroke], sketch.setting
+        if spot.words.value:
+            others = sketch.obstacles.during(span)
+            wholes = whole_words_of(setting, sketch.scale, self._close.factor)
+            found = (spot.stated(words, others) for words in wholes)
+            spot = next(filter(None, found), spot)
+            sketch.obstacles.box(spot.words.box(spot.middle), span)
+        sketch.add(stroke, Level.LENS, self.since, on_page(spot.words.marks(spot.middle)))
 
     def _shown(self, lens: Lens) -> list[Item]:
         """Return what a lens shows of the items of a picture, each once its stroke is drawn.
