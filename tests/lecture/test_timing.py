@@ -171,6 +171,16 @@ def test_with_a_given_acceleration_a_lecture_in_space_is_short_in_the_longest_la
     assert vad.animate(vad.draw(motion, language="de")).duration <= 150.0
 
 
+@pytest.mark.parametrize("name", ["slider-crank", "four-bar", "crank-slotted-lever"])
+def test_the_last_value_of_a_panel_stands_before_the_panels_move(name: str):
+    lesson = vad.animate(vad.draw(vad.solve(vad.MECHANISMS[name]())))
+    last = [step for step in lesson.steps if step.glide]
+    assert len(last) == 2
+    for step in last:
+        said = max(step.grow, *step.beats, 0)
+        assert step.grow + step.hold - said >= 0.75 * lesson.fps, step.stroke.name
+
+
 def test_strokes_of_one_caption_are_drawn_while_it_is_read():
     drawn = [replace(stroke(kind), said="A short one.") for kind in ("fixed", "guide", "known")]
     panel = Panel("position", "mm", (*drawn, stroke("known")), picture="views")

@@ -50,7 +50,7 @@ LEAST_REST = 0.5  # after a caption, and before the next one
 GLIDE = 1.0  # the panels of a stage, as they move to their places in the next scene
 SETTLE = 0.2
 #: The least rest before a move, in which a caption is read on, and after the last beat of it.
-BEFORE_MOVE, AFTER_BEAT = 0.3, 0.8
+BEFORE_MOVE, AFTER_BEAT = 0.8, 1.2
 #: A found ω or α leaves its caption when its number has stood there for a moment, flies to its link
 #: and bends to an arrow.  Where a scene ends soon, it flies faster.
 READ, RATE, LEAST_RATE, AFTER_RATE = 0.3, 1.6, 0.8, 0.2

@@ -405,7 +405,7 @@ PHRASES = {
     "bodies fold": (
         "Die Koppelebene wird um *OI* ins Blatt umgeklappt: dort sind *OB* und *OC* unverzerrt."
     ),
-    "bodies fold again": "Wieder wird diese Ebene um *OI* ins Blatt umgeklappt.",
+    "bodies fold again": "Wieder wird diese Ebene um *OI* umgeklappt.",
     "bodies sines": (
         "{symbol} = *ω₂*·sin *AI* / sin *DI* = {crank} × sin({ai}°) / sin({di}°) = {value} {unit}."
     ),
