@@ -789,7 +789,7 @@ PHRASES = {
     ),
     "spatial H": (
         "Gegen die Kurbel dreht sich die Schwinge um *I* ∥ *OI* und gleitet längs *I*, das *AD* "
-        "in *H* trifft: *AH* = {height}."
+        "in *H* trifft: *AH* = {height} {unit}."
     ),
     # die unteren Polygone
     "spatial pole velocity": (
