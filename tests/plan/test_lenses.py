@@ -25,8 +25,10 @@ from tests.plan.test_overlaps import still
 from vad.files.examples import example_names, example_path
 from vad.plan.board import Plan, reach
 from vad.plan.format import screen
+from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.close import MOST
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.labels.placing import distance
 from vad.plan.lens import BAND, Lens
 from vad.plan.lettering.glyphs import ink_size
@@ -34,6 +36,7 @@ from vad.plan.lettering.runs import plain
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Outline, Polygon, Polyline
 from vad.plan.page.free_places import meet
 from vad.plan.pictures import lensed
+from vad.plan.pictures.lenses import Spot, Words
 from vad.plan.problem_sheet import blank_panels, problem
 from vad.plan.roles import ROLES
 from vad.plan.sketch import Sketch
@@ -509,3 +512,15 @@ def test_the_bar_of_a_lens_says_its_unit_where_that_has_room():
     assert sketch.setting.room.holds(complex(box.left, box.bottom))
     assert sketch.setting.room.holds(complex(box.right, box.top))
     assert all(abs(z - lens.at) > lens.radius for z in (box.centre, complex(box.left, box.top)))
+
+
+def test_a_leader_meets_both_circles_where_a_stroke_lies_beside_one_of_them():
+    lens = Lens(0.2 + 0.2j, 0.02, 4.0, 0.6 + 0.2j, 0.1)
+    drawn = Obstacles(Rect(0.0, 0.0, 1.0, 1.0))
+    for x in (0.222, 0.35, 0.498):
+        drawn.line([complex(x, 0.0), complex(x, 0.5)], 0.003)
+    marks = Spot(lens, Words(()), 0j).frame(drawn)
+    (leader,) = (mark.shape for mark in marks if mark.role == "leader")
+    assert len(leader.pieces) == 2
+    ends = leader.pieces[0][0], leader.pieces[-1][-1]
+    assert ends == lens.leader

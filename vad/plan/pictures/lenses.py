@@ -105,14 +105,17 @@ class Spot:
     def frame(self, drawn: Obstacles | None = None) -> Iterator[Mark]:
         """Yield its rim over a band, the circle about its place, and its leader.
 
-        The leader runs behind what is ``drawn``: it is broken where it crosses a stroke.
+        The leader runs behind what is ``drawn``: it is broken where it crosses a stroke, but
+        always meets both circles.
         """
         lens, ends = self.lens, self.lens.leader
-        pieces = tuple(drawn.between_strokes(*ends, GAP, ACROSS)) if drawn else (ends,)
+        pieces = drawn.between_strokes(*ends, GAP, ACROSS) if drawn else [ends]
+        pieces[0] = ends[0], pieces[0][1]
+        pieces[-1] = pieces[-1][0], ends[1]
         yield disc(lens.at, lens.radius + BAND / 2, "lens band")
         yield disc(lens.at, lens.radius, "lens rim")
         yield disc(lens.place, lens.ring, "lens place")
-        yield Mark(Polyline(pieces), "leader")
+        yield Mark(Polyline(tuple(pieces)), "leader")
 
     def stated(self, words: Words, obstacles: Obstacles) -> Spot | None:
         """Return it with other words; None where they have no room beside all that is there."""
