@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import json
+import lzma
 import re
 import string
-import zlib
 from functools import cache, lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 import vad
 from vad.lecture.lesson import Lesson
 from vad.mechanisms.mechanism import Mechanism
-from vad.page.document import document
+from vad.page.document import _LZMA, document
 from vad.words import Language
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ def bundle_of(html: str) -> tuple[str, dict[str, Any], list[str], str, list[str]
     bits = "".join(f"{91 * high + low:013b}"[::-1] for high, low in pairs)
     data = bytes(int(bits[at : at + 8][::-1], 2) for at in range(0, len(bits), 8))
     script, rules, layers, late, told = json.loads(
-        zlib.decompressobj(-zlib.MAX_WBITS).decompress(data)
+        lzma.LZMADecompressor(lzma.FORMAT_RAW, filters=[_LZMA]).decompress(data)
     )
     return script, told, layers, rules, late
 

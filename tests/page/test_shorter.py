@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import json
 import re
-import zlib
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Error, Page
 
 from tests.browser import opened
-from vad.page.document import _HAND, asset, packed, signs
+from vad.page.document import _HAND, asset, packed
 from vad.page.shorter import shorter_script, shorter_style
 
 SCRIPT = """
@@ -90,21 +89,27 @@ def test_names_in_patterns_methods_and_handlers_are_declared() -> None:
     shorter_script("const [[one], { two, three: four = 4 }] = [], five = one + two + four;")
 
 
-@pytest.mark.parametrize("text", ["", "a", "ä²′" * 1000, "".join(map(str, range(5000)))])
-@pytest.mark.parametrize("level", [0, 1, 9])
-def test_what_is_packed_is_unpacked(page: Page, text: str, level: int) -> None:
-    unpack = f"(packed) => {{ {asset('unpack.js')}; return unpack(packed); }}"
-    deflate = zlib.compressobj(level, zlib.DEFLATED, -zlib.MAX_WBITS)
-    for whole in (
-        packed(text),
-        signs(deflate.compress(text.encode()) + deflate.flush()),
-    ):
-        assert page.evaluate(unpack, whole) == text
+UNPACK = f"(packed) => {{ {asset('unpack.js')}; return unpack(packed); }}"
+#: What stands far apart again, in other company, and at distances that were there before.
+FAR = "".join(f"{number**3 % 9973:x}" for number in range(60_000))
+AGAIN = "".join(FAR[at % 50_000 :][: 3 + at % 40] + str(at % 7) for at in range(0, 400_000, 997))
 
 
-def test_fixed_codes_are_unpacked(page: Page) -> None:
-    deflate = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS, 9, zlib.Z_FIXED)
+@pytest.mark.parametrize(
+    "text",
+    ["", "a", "ä²′" * 1000, "".join(map(str, range(5000))), FAR + AGAIN],
+    ids=["nothing", "a sign", "copies", "numbers", "far copies"],
+)
+def test_what_is_packed_is_unpacked(page: Page, text: str) -> None:
+    assert page.evaluate(UNPACK, packed(text)) == text
+
+
+def test_all_scripts_are_unpacked(page: Page) -> None:
     text = json.dumps({name: asset(name) for name in _HAND})
-    whole = signs(deflate.compress(text.encode()) + deflate.flush())
-    unpack = f"(packed) => {{ {asset('unpack.js')}; return unpack(packed); }}"
-    assert page.evaluate(unpack, whole) == text
+    assert page.evaluate(UNPACK, packed(text)) == text
+
+
+def test_what_is_cut_off_is_damaged(page: Page) -> None:
+    whole = packed("".join(map(str, range(5000))))
+    with pytest.raises(Error, match="the page is damaged"):
+        page.evaluate(UNPACK, whole[: len(whole) // 4 * 2])

@@ -37,7 +37,7 @@ _GLOBALS = frozenset(
         r"\w+",
         """AbortController Array Boolean CustomEvent DOMPoint Error Float64Array Infinity
         Int32Array JSON Map Math MutationObserver NaN Number
-        Object Promise ResizeObserver Set String TextDecoder URLSearchParams Uint8Array
+        Object Promise ResizeObserver Set String TextDecoder URLSearchParams Uint16Array Uint8Array
         addEventListener cancelAnimationFrame clearTimeout console document encodeURIComponent
         getComputedStyle getSelection history
         innerHeight innerWidth isNaN location matchMedia navigator parent parseFloat performance

@@ -1,7 +1,10 @@
-// What a page carries packed: text as UTF-8, deflated (RFC 1951), 13 bits in two signs, the lowest bits
-// first. The signs are the 91 printable ones of ASCII, in their order, that need not be escaped
-// anywhere in HTML. Browsers unpack deflated text only in their own time, and a page is to be whole
-// when it has loaded.
+// What a page carries packed: text as UTF-8, compressed by LZMA without a header, as document.py sets
+// it (lc 3, lp 0, pb 0), 13 bits in two signs, the lowest bits first. The signs are the 91 printable
+// ones of ASCII, in their order, that need not be escaped anywhere in HTML. Browsers unpack nothing
+// of this kind, and what they do unpack only in their own time: a page is to be whole when it has
+// loaded.
+//
+// Each bit is one of two parts of a range, as large as it is likely, which is learnt on the way.
 
 function unpack(packed) {
   const bytes = [], out = [];
@@ -13,72 +16,111 @@ function unpack(packed) {
     kept |= (91 * digit(i) + digit(i + 1)) << many;
     for (many += 13; many > 7; many -= 8, kept >>= 8) bytes.push(kept & 255);
   }
-  let bit = 0;
 
-  function bits(count) {
-    let value = 0;
-    for (let i = 0; i < count; i++, bit++) value |= (bytes[bit >> 3] >> (bit & 7) & 1) << i;
+  let range = 2 ** 32 - 1, code = 0, at = 1;
+  const shift = () => {
+    if (at > bytes.length) throw new Error("the page is damaged");
+    code = 256 * code + bytes[at++];
+  };
+  for (let i = 0; i < 4; i++) shift();
+
+  function bit(table, i) {
+    const bound = (range >>> 11) * table[i], is = code < bound ? 0 : 1;
+    if (is) {
+      code -= bound;
+      range -= bound;
+      table[i] -= table[i] >> 5;
+    } else {
+      range = bound;
+      table[i] += (2048 - table[i]) >> 5;
+    }
+    if (range < 2 ** 24) { range *= 256; shift(); }
+    return is;
+  }
+
+  // A number of so many bits, the highest first: each is as likely as after those before it.
+  function number(table, count, first = 0) {
+    let node = 1;
+    for (let i = 0; i < count; i++) node = 2 * node + bit(table, first + node);
+    return node - 2 ** count;
+  }
+
+  // The same, the lowest first.
+  function reversed(table, count, first = 0) {
+    let node = 1, value = 0;
+    for (let i = 0; i < count; i++) {
+      const is = bit(table, first + node);
+      node = 2 * node + is;
+      value += is << i;
+    }
     return value;
   }
 
-  // A code by the lengths of its words: how many words have each length, and what they stand for.
-  function code(lengths) {
-    const counts = Array(16).fill(0), words = [];
-    for (const length of lengths) counts[length]++;
-    counts[0] = 0;
-    let sum = 0;
-    const starts = counts.map((count) => (sum += count) - count);
-    lengths.forEach((length, word) => { if (length) words[starts[length]++] = word; });
-    return [counts, words];
+  const table = (size) => new Uint16Array(size).fill(1024);
+  const isCopy = table(12), isOld = table(12), isNotLast = table(12), isLong = table(12);
+  const isThird = table(12), isFourth = table(12);
+  const signs = table(8 * 768), slots = [0, 1, 2, 3].map(() => table(64)), near = table(128), low = table(16);
+
+  const lengths = () => ({ more: table(2), parts: [table(8), table(8), table(256)] });
+  const newLengths = lengths(), oldLengths = lengths();
+  function length({ more, parts }) {
+    if (!bit(more, 0)) return 2 + number(parts[0], 3);
+    return bit(more, 1) ? 18 + number(parts[2], 8) : 10 + number(parts[1], 3);
   }
 
-  function next([counts, words]) {
-    let value = 0, first = 0, index = 0;
-    for (let length = 1; length < 16; length++) {
-      value |= bits(1);
-      if (value - counts[length] < first) return words[index + value - first];
-      index += counts[length];
-      first = (first + counts[length]) << 1;
-      value <<= 1;
+  // How many signs lie between a copy and what it repeats.
+  function distance(long) {
+    const slot = number(slots[Math.min(long - 2, 3)], 6), count = (slot >> 1) - 1;
+    if (slot < 4) return slot;
+    let value = 2 + (slot & 1);
+    if (slot < 14) return (value << count) + reversed(near, count, (value << count) - slot);
+    for (let i = 4; i < count; i++) {
+      const half = Math.floor(range / 2);
+      range = half;
+      value = 2 * value;
+      if (code >= half) { code -= half; value++; }
+      if (range < 2 ** 24) { range *= 256; shift(); }
     }
-    throw new Error("the page is damaged");
+    return 16 * value + reversed(low, 4);
   }
 
-  const ORDER = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15];
-  const times = (count, value) => Array(count).fill(value);
-
-  function codes() {
-    const literals = bits(5) + 257, distances = bits(5) + 1, own = times(19, 0);
-    for (let i = 0, count = bits(4) + 4; i < count; i++) own[ORDER[i]] = bits(3);
-    const lengths = [], of = code(own);
-    while (lengths.length < literals + distances) { // each word adds a length or more
-      const word = next(of);
-      if (word < 16) lengths.push(word);
-      else if (word === 16) lengths.push(...times(3 + bits(2), lengths.at(-1)));
-      else lengths.push(...times(word === 17 ? 3 + bits(3) : 11 + bits(7), 0));
+  // A sign, which is likely to be another one than would follow a copy that has just ended.
+  function sign(other) {
+    const first = 768 * ((out.at(-1) ?? 0) >> 5);
+    let node = 1;
+    for (let i = 7; i >= 0 && other !== undefined; i--) {
+      const was = other >> i & 1, is = bit(signs, first + 256 * (1 + was) + node);
+      node = 2 * node + is;
+      if (is !== was) break;
     }
-    return [code(lengths.slice(0, literals)), code(lengths.slice(literals))];
+    while (node < 256) node = 2 * node + bit(signs, first + node); // each round doubles it
+    return node - 256;
   }
 
-  const usual = () => [code([...times(144, 8), ...times(112, 9), ...times(24, 7), ...times(8, 8)]), code(times(30, 5))];
-
-  for (let last = 0; !last;) { // each block takes three bits or more
-    last = bits(1);
-    const kind = bits(2);
-    if (!kind) {
-      bit = (bit + 7) & ~7;
-      for (let left = bits(16) + 0 * bits(16); left; left--) out.push(bits(8));
+  // The last distances, the newest first; `after` tells of what kinds the last few steps were.
+  const last = [0, 0, 0, 0];
+  let after = 0;
+  while (true) { // each round writes a sign, or ends
+    const next = out.length - last[0] - 1;
+    if (!bit(isCopy, after)) {
+      out.push(sign(after < 7 ? undefined : out[next]));
+      after = after < 4 ? 0 : after - (after < 10 ? 3 : 6);
       continue;
     }
-    const [literals, distances] = kind === 1 ? usual() : codes();
-    for (let word = next(literals); word !== 256; word = next(literals)) {
-      if (word < 256) { out.push(word); continue; }
-      const more = word < 265 || word > 284 ? 0 : (word - 261) >> 2;
-      const length = word > 284 ? 258 : word < 265 ? word - 254 : ((4 + (word - 265 & 3)) << more) + 3 + bits(more);
-      const way = next(distances), far = way < 4 ? 0 : (way >> 1) - 1;
-      const back = way < 4 ? way + 1 : ((2 + (way & 1)) << far) + 1 + bits(far);
-      for (let i = 0; i < length; i++) out.push(out[out.length - back]);
+    let long = 1;
+    if (!bit(isOld, after)) {
+      long = length(newLengths);
+      last.pop();
+      last.unshift(distance(long));
+      if (last[0] === 2 ** 32 - 1) return new TextDecoder().decode(new Uint8Array(out));
+      after = after < 7 ? 7 : 10;
+    } else {
+      const which = !bit(isNotLast, after) ? 0 : !bit(isThird, after) ? 1 : 2 + bit(isFourth, after);
+      last.unshift(...last.splice(which, 1));
+      const alone = !which && !bit(isLong, after);
+      if (!alone) long = length(oldLengths);
+      after = (alone ? 9 : 8) + (after < 7 ? 0 : alone ? 2 : 3);
     }
+    for (let i = 0; i < long; i++) out.push(out[out.length - last[0] - 1]);
   }
-  return new TextDecoder().decode(new Uint8Array(out));
 }
