@@ -122,11 +122,16 @@ def test_the_head_of_a_vector_runs_from_its_tail_to_its_tip(scene: str):
     for panel in board(scene).sheet.panels:
         for stroke in panel.strokes if panel.picture == "vectors" else ():
             items = strokes(scene).get(f"{panel.name}:{stroke.name}", [])
-            moving = [m for m in by_role(items, "head") if isinstance(m.growth, Flying)]
+            moving = [
+                (item, head)
+                for item in items
+                for head in by_role([item], "head")
+                if isinstance(head.growth, Flying)
+            ]
             if not isinstance(stroke.shape, Arrow) or not moving:
                 continue
-            (head,) = moving
-            (shaft,) = by_role(items, "vector") or by_role(items, "whole")
+            ((item, head),) = moving
+            (shaft,) = by_role([item], "vector") or by_role([item], "whole")
             tips = [points(shown)[0] for share in SHARES if (shown := head.at(share))]
             assert len(tips) == len(SHARES)
             assert abs(tips[0] - first(shaft)) < NEAR
