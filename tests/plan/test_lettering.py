@@ -56,8 +56,9 @@ def test_a_caption_tells_points_from_words_by_what_they_are():
 
 @pytest.mark.parametrize("code", languages())
 def test_fixed_text_says_itself_what_is_a_symbol(code: str):
-    cut = said(Voice(code).pieces(Sentence("spatial directions", {"tau": Figure(3.0, "°")})))
-    assert italics(cut).startswith("OA OD OI τ")
+    angles = {name: Figure(3.0, "°") for name in ("tau", "delta", "ib")}
+    cut = said(Voice(code).pieces(Sentence("spatial directions", angles)))
+    assert italics(cut) == "OA OD BC AD I τ OA δ IB"
     rates = {"turn": "2", "sum": "6", "value": "6", "unit": Unit("mm/s²"), "label": "y"}
     about = said(Voice(code).pieces(Sentence("spatial about I acceleration", rates)))
     assert italics(about).startswith("y α t AH ω h v τ OI")

@@ -153,7 +153,8 @@ class SetText:
             name = f' class="{self._classes.name(*says)}"' if any(says) else ""
             # The first one stands where its line does.
             place = (f' x="{x}"' if spans else "") + (f' y="{y}"' if y != level else "")
-            spans.append(f"<tspan{name}{place}>{self._words(stretch)}</tspan>")
+            words = self._words(stretch)
+            spans.append(f"<tspan{name}{place}>{words}</tspan>" if name or place else words)
             level = y
         return "".join(spans)
 

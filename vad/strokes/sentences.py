@@ -183,7 +183,7 @@ def named(name: str, code: str) -> Text:
     Examples
     --------
     >>> named("crank", "de"), named("ground_twist", "en")
-    ('Kurbel', 'twist')
+    ('Kurbel', 'angle of axes')
     """
     return Text.of(Noun(name, generic=""), Voice(code))
 
