@@ -53,7 +53,10 @@ def numbers(
 
 
 def calculated(said: dict[str, Any]) -> Iterator[tuple[float, float]]:
-    """Yield the results of a sentence in JSON, and what its numbers make."""
+    """Yield the results of a sentence in JSON, and of those within it, and what its numbers make."""
+    for part in said.get("parts", {}).values():
+        if "phrase" in part:
+            yield from calculated(part)
     for each in said.get("calculations", []):
         ((result, _),) = numbers(said, [each["result"]])
         operands = numbers(said, each["operands"], each["operation"] == "sines")
