@@ -53,7 +53,7 @@ def numbers(
 
 
 def calculated(said: dict[str, Any]) -> Iterator[tuple[float, float]]:
-    """Yield the results of a sentence in JSON, and of those within it, and what its numbers make."""
+    """Yield the results of a sentence in JSON, with those within it, and what its numbers make."""
     for part in said.get("parts", {}).values():
         if "phrase" in part:
             yield from calculated(part)
