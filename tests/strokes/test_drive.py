@@ -32,7 +32,9 @@ def test_the_driven_body_is_in_equilibrium(name, friction):
     drawn = [
         stroke
         for stroke in panel.strokes
-        if isinstance(stroke.shape, Arrow) and stroke.component in FORCES and stroke.label != "v"
+        if isinstance(stroke.shape, Arrow)
+        and stroke.component in FORCES
+        and stroke.name != "v.check"
     ]
     vectors = [stroke.shape.end - stroke.shape.start for stroke in drawn]
     assert abs(sum(vectors)) < 1e-11 * sum(map(abs, vectors))

@@ -53,7 +53,8 @@ def drawn(stroke: Stroke) -> set[str]:
 _SAYS = re.compile(
     r"(\S+) = |(?:at|direction of|of the rocker,) ([^\s,.;]+)|: (v) turned|"
     r"(\S+) of (?:shaft|the c)|(\S+), the pin|(\S+) slides along this guide|"
-    r"Below, (\S+) is|Again ([^\s,]+)|over (\S+) and ([^\s;]+);"
+    r"Below, (\S+) is|Again ([^\s,]+)|over (\S+) and ([^\s;]+);|"
+    r"The \S+ (\S+) stands at"
 )
 
 

@@ -562,7 +562,7 @@ PHRASES = {
     ),
     "hooke tau": "*τ*",
     "hooke laid": (
-        "Um *OT* in die Ebene der Wellen umgeklappt haben *OP* und *OQ* ihre wahre Länge."
+        "Um *OT* in die Ebene der Wellen umgeklappt haben *OP* und *OQ* ihre wahre Richtung."
     ),
     # Polygone
     "hooke speeds": "*ω₂*, *ω₄*, bei jedem *θ₂* abgetragen",
@@ -844,7 +844,7 @@ PHRASES = {
         "die Ebene ⟂ *BC* als Gerade."
     ),
     "balls askew": (
-        "Dort sind *AB* {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT}, *DC* {seen_DC} {unit} lang; "
+        "Dort misst *AB* {seen_AB}, *DC* {seen_DC}, *BT* (*AB* gedreht) {seen_BT} {unit}; "
         "quer dazu (Pythagoras) *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
     ),
     "balls along D": "längs *D* gesehen",

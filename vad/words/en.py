@@ -547,7 +547,7 @@ PHRASES = {
     ),
     "hooke tau": "*τ*",
     "hooke laid": (
-        "Turned about *OT* into the plane of the shafts, *OP* and *OQ* have their true length."
+        "Turned about *OT* into the plane of the shafts, *OP* and *OQ* have their true directions."
     ),
     # the polygons
     "hooke speeds": "*ω₂*, *ω₄* laid off at each *θ₂*",
@@ -812,7 +812,7 @@ PHRASES = {
         "the plane ⟂ *BC* as a line."
     ),
     "balls askew": (
-        "There *AB* is {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT} and *DC* {seen_DC} {unit} long; "
+        "There *AB* looks {seen_AB}, *DC* {seen_DC} and *BT* (*AB* turned) {seen_BT} {unit}; "
         "square to it (Pythagoras) *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
     ),
     "balls along D": "seen along *D*",

@@ -561,7 +561,7 @@ PHRASES = {
     ),
     "hooke tau": "*τ*",
     "hooke laid": (
-        "Rabattus autour de *OT* sur le plan des arbres, *OP* et *OQ* sont en vraie grandeur."
+        "Rabattus autour de *OT* sur le plan des arbres, *OP* et *OQ* ont leur vraie direction."
     ),
     # polygones
     "hooke speeds": "*ω₂*, *ω₄* portées à chaque *θ₂*",
@@ -843,7 +843,7 @@ PHRASES = {
         "vraie grandeur, et le plan ⟂ *BC* comme une droite."
     ),
     "balls askew": (
-        "*AB* y mesure {seen_AB}, *BT* = *AB*, ⟂ *AB*, {seen_BT} et *DC* {seen_DC} {unit} ; en "
+        "*AB* y paraît {seen_AB}, *DC* {seen_DC} et *BT* (*AB* tournée) {seen_BT} {unit} ; en "
         "travers (Pythagore) *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
     ),
     "balls along D": "vu suivant *D*",
