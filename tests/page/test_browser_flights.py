@@ -121,7 +121,7 @@ def test_a_vector_leaves_its_source_and_lands_in_its_place(
     lever: Page, flights: dict[int, Any], order: int
 ) -> None:
     number, flight = list(flights.items())[order]
-    _, kind, phases, source, turn, _, _, _, *places = flight
+    _, kind, phases, source, turn, _, *places = flight
     scrub(lever, number + 0.5)
     tail, tip, aloft = flying(lever, number + 1e-6)
     assert aloft

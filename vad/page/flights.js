@@ -26,7 +26,7 @@ function flights(root) {
   const filled = (mark) => getComputedStyle(mark).fill !== "none";
   let hidden = [], pale = [], shown = null;
 
-  function flight([, kind, phases, from, turn, tilt, oblique, lift, ...places], marks, svgs, beat) {
+  function flight([, kind, phases, from, turn, lift, ...places], marks, svgs, beat) {
     const to = marks[0]?.ownerSVGElement, source = svgs[from], { width, height } = source.getBoundingClientRect();
     if (!to || !width || !to.getBoundingClientRect().width) return null;
     const at = (svg, n) => {
@@ -50,12 +50,12 @@ function flights(root) {
     const [p, q] = lifts[kind]?.() ?? [0, 0], place = [tail.x + p, tail.y + q];
     const legs = [[tail.x, tail.y, size, turn]];
     if (lifts[kind]) legs.push([...place, seen, turn]);
-    if (lifts[kind] !== lifts.normal) legs.push([...place, seen, tilt]);
+    if (lifts[kind] !== lifts.normal) legs.push([...place, seen, 0]);
     const short = whole < SHRINKS * unit, [stretch, fly] = phases.slice(-2);
     const last = area ? seen < 1 : short || whole > Math.max(width, height);
     // A head that docks stays there.
     const [u, v] = way.map((each) => kind === "coriolis" ? (1 - seen) * each : 0);
-    legs.push(last ? [start.x + u, start.y + v, seen, 0] : [...place, oblique, tilt], [start.x, start.y, 1, 0]);
+    legs.push(last ? [start.x + u, start.y + v, seen, 0] : [...place, 1, 0], [start.x, start.y, 1, 0]);
     const times = last ? [...phases.slice(0, -2), fly, stretch] : phases, flies = times.length - (last ? 2 : 1);
     return { kind, source, to, start, way, unit, short, legs, phases: times, flies, marks, tip, shaft };
   }

@@ -6,8 +6,6 @@ much it turns.  The browser knows how large the panels are, and where they stand
 
 from __future__ import annotations
 
-import cmath
-import math
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
@@ -30,11 +28,10 @@ def page_flights(
 
     Each is a list: for how many seconds it flies, what it is to its source, the seconds of its
     phases, the number of the panel that it leaves; by how many degrees it is turned clockwise
-    there, and by how many when it has turned and is stretched, and how long it then is, as a
-    multiple of how it lands: it may leave a view from another side; how far it lifts off a link
-    beside which it stays, to the left, in pixels.  Then where its tail and its
-    head are there, and in its own panel: to the right and down, in pixels of a page 1280 wide.  If
-    the page draws panels ``large``, too, the same follows for the panels as they are then.
+    there; how far it lifts off a link beside which it stays, to the left, in pixels.  Then where
+    its tail and its head are there, and in its own panel: to the right and down, in pixels of a
+    page 1280 wide.  If the page draws panels ``large``, too, the same follows for the panels as
+    they are then.
     """
     numbers = {s.panel.full(s.stroke.name): number for number, s in enumerate(lesson.steps)}
     columns = [panel.name for panel in lesson.sheet.panels]
@@ -53,11 +50,10 @@ def page_flights(
             ends = (travel.tail, travel.head), (travel.start, travel.end)
             for scale, pair in zip(scales, ends, strict=True):
                 places += [round(each, 2) for z in pair for each in inker.pixels(scale(z))]
-        tilt = math.degrees(cmath.phase(travel.oblique))
         phases, kind = PHASES[travel.kind], travel.kind if flight.is_vector else "area"
         stays = kind in ("normal", "axial")
         up = (flight.lift / direction_of(*flight.source)).imag if stays else 0.0
-        turns = (travel.turn - tilt, -tilt, abs(travel.oblique), up * inker.frame[0])
+        turns = (travel.turn, up * inker.frame[0])
         share = sum(phases) / (sum(phases) + LANDED)
         seconds = round(share * lesson.steps[number].grow / lesson.fps, 3)
         if kind == "coriolis" and not flight.docks:

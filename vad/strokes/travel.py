@@ -26,9 +26,6 @@ class Travel(NamedTuple):
         axis.
     start, end
         Its tail and its head in its own panel.
-    seen
-        The vector in the unit of its own panel as the view that it leaves shows it, if that is seen
-        from another side; None if it looks alike in both.
     by
         The row of the link on which a block slides, and whose ω turns its velocity to a Coriolis
         acceleration; None for other vectors, and in a cylinder, which is a link itself.
@@ -40,17 +37,9 @@ class Travel(NamedTuple):
     head: complex
     start: complex
     end: complex
-    seen: complex | None = None
     by: str | None = None
 
     @property
     def turn(self) -> float:
         """By how many degrees it turns in the panel that it leaves, counter-clockwise positive."""
-        seen = self.end - self.start if self.seen is None else self.seen
-        return math.degrees(cmath.phase(seen / (self.head - self.tail)))
-
-    @property
-    def oblique(self) -> complex:
-        """How the vector looks in the panel that it leaves, as a multiple of how it lands."""
-        whole = self.end - self.start
-        return 1.0 + 0j if self.seen is None or whole == 0.0 else self.seen / whole
+        return math.degrees(cmath.phase((self.end - self.start) / (self.head - self.tail)))

@@ -178,8 +178,8 @@ class Flight:
         In which it stays; the rooms of all panels, over which it is stretched.
     grows_last
         Whether it flies before it is stretched: an image that is small so long, and a vector that
-        would be longer than the panel that it leaves, lie upon what stands beside the panels, not
-        be seen as it flies, or turn as it does so to where it is seen from another side.
+        would be longer than the panel that it leaves, lie upon what stands beside the panels, or
+        not be seen as it flies.
     """
 
     stroke: str
@@ -216,9 +216,9 @@ class Flight:
         flight = cls(stroke, travel, polygon, during, index, source, figure, centre, *edges)
         if not flight.is_vector:
             return replace(flight, grows_last=flight.seen < 1.0)
-        room, turns = figure.setting.room, travel.seen is not None
+        room = figure.setting.room
         fits = SMALL <= length <= max(room.width, room.height) and flight.has_room()
-        return replace(flight, grows_last=turns or not fits)
+        return replace(flight, grows_last=not fits)
 
     @property
     def span(self) -> Span:
@@ -415,18 +415,17 @@ class Flight:
     def stops(self) -> list[Leg]:
         """Return where the flight begins, and where each of its phases ends.
 
-        A copy of a short vector swells as it lifts off, so that all see how it turns.  One that
-        leaves a view from another side is seen from that of its polygon when it lands.
+        A copy of a short vector swells as it lifts off, so that all see how it turns.
         """
         (tail, head), (start, end, *_) = self.source, self.corners
         turn, stretched = self.travel.turn, self.stretched
-        size, tilt = self.turning(stretched), stretched.degrees
-        lifted, turned = (stretched._replace(factor=size, degrees=tilt - by) for by in (turn, 0.0))
+        size = self.turning(stretched)
+        lifted, turned = (stretched._replace(factor=size, degrees=-by) for by in (turn, 0.0))
         phases = {"normal": [lifted], "axial": [lifted], "image": [turned]}
         if self.grows_last:  # and back from a head that docks
             away = self.way if self.docks else 0j
             stretched = Leg(0.0, (1.0 - size) * away, size)
-        first = Leg(0.0, self.begin, abs(head - tail) / abs(end - start), tilt - turn)
+        first = Leg(0.0, self.begin, abs(head - tail) / abs(end - start), -turn)
         return [first, *phases.get(self.travel.kind, [lifted, turned]), stretched, Leg(0.0, 0j)]
 
     @property
@@ -455,9 +454,7 @@ class Flight:
     @property
     def stretched(self) -> Leg:
         """Where a vector is beside its source when it has turned, and is stretched."""
-        oblique = self.travel.oblique
-        tilt = math.degrees(cmath.phase(oblique))
-        return Leg(0.0, self.begin + self.lift, abs(oblique), tilt)
+        return Leg(0.0, self.begin + self.lift)
 
     @property
     def lift(self) -> complex:
