@@ -120,7 +120,6 @@ class Spot:
     def stated(self, words: Words, obstacles: Obstacles) -> Spot | None:
         """Return it with other words; None where they have no room beside all that is there."""
         lens, box, inner = self.lens, words.box(0j), obstacles.edge.inside(CLEAR)
-        half = complex(words.wide, words.high) / 2
         own = {self.words.box(self.middle), *lens.slabs}
         others = replace(obstacles, boxes=[each for each in obstacles.boxes if each[0] not in own])
         far = lens.radius + BELOW
@@ -130,10 +129,7 @@ class Spot:
         middles = [lens.at + off for off in offs]
         free = others.free(middles, words.wide, words.high, CLEAR, APART)
         for middle in (at for at, is_free in zip(middles, free.tolist(), strict=True) if is_free):
-            there = box.moved(middle)
-            past = beyond(there, lens.place) > lens.ring + CLEAR
-            past &= not there.inside(-CLEAR).clipped(*lens.leader)
-            if past and inner.holds(there.centre - half) and inner.holds(there.centre + half):
+            if _are_clear(box.moved(middle), lens, lens.leader, inner):
                 return replace(self, words=words, middle=middle)
         return None
 
@@ -267,7 +263,6 @@ class Field:
     def _with_words(self, lens: Lens, words: Words, places: list[complex]) -> list[Spot]:
         """Return the lens at some of the places, with its words below it or else above it."""
         box, inner = words.box(0j), self.room.inside(CLEAR)
-        low, high = complex(box.left, box.bottom), complex(box.right, box.top)
         found: dict[complex, Spot] = {}
         for side in (-1j, 1j, 1.0 + 0j, -1.0 + 0j):
             half = abs(side.real) * words.wide / 2 + abs(side.imag) * words.high / 2
@@ -275,10 +270,8 @@ class Field:
             middles = [at + off for at in places]
             free = self.obstacles.free(middles, words.wide, words.high, CLEAR, APART)
             for at, middle, is_free in zip(places, middles, free.tolist(), strict=True):
-                there = box.moved(middle)
-                past = beyond(there, lens.place) > lens.ring + CLEAR
-                past &= not there.inside(-CLEAR).clipped(lens.place, at)
-                if is_free and past and inner.holds(middle + low) and inner.holds(middle + high):
+                line = lens.place, at
+                if is_free and _are_clear(box.moved(middle), lens, line, inner):
                     found.setdefault(at, Spot(replace(lens, at=at), words, middle))
         return [found[at] for at in places if at in found]
 
@@ -333,6 +326,13 @@ def _clearer(usual: Spot | None, other: Spot | None) -> Spot | None:
     if usual and other:
         return other if other.covered < usual.covered - WORTH else usual
     return usual or other
+
+
+def _are_clear(there: Rect, lens: Lens, line: tuple[complex, complex], inner: Rect) -> bool:
+    """Tell whether words in a box are off the circle about the place and off a line, and inside."""
+    past = beyond(there, lens.place) > lens.ring + CLEAR
+    corners = complex(there.left, there.bottom), complex(there.right, there.top)
+    return past and not there.inside(-CLEAR).clipped(*line) and all(map(inner.holds, corners))
 
 
 def beyond(box: Rect, at: complex) -> float:
