@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
 from functools import cache
 from itertools import pairwise
 
@@ -19,7 +20,7 @@ from vad.lecture.moment import smooth
 from vad.lecture.pace import LANDED, PHASES
 from vad.page.parts import page_plan
 from vad.plan.format import screen
-from vad.plan.items import FLIGHT, Level
+from vad.plan.items import FLIGHT, Item, Level
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
 from vad.plan.pictures.flights import ARCHES, EDGE, SEEN, SMALL, Flight
 from vad.plan.pictures.lifts import LIFT, beside, others
@@ -28,6 +29,7 @@ from vad.plan.pictures.traces import crossings, strokes_at
 from vad.plan.pictures.vectors import HEAD, HEAD_SHARE, HEAD_WHOLE
 from vad.plan.stage import Stage
 from vad.strokes.sheet import Arrow
+from vad.strokes.travel import Travel
 from vad.strokes.travels import travels
 
 POSES = [(60, 0, 50, 10), (60, 0, 130, -4), (60, 20, 70, 25), (40, 0, 200, -10), (60, 0, 310, 0.3)]
@@ -275,17 +277,23 @@ def test_a_stretched_vector_does_not_lie_on_the_rows_of_the_table(kind):
     assert found > 1
 
 
+def large_shafts(stage: Stage, number: int) -> Iterator[tuple[Travel, Item, Mark]]:
+    """Yield the shafts of the vectors that fly to the large panel of a scene."""
+    large = stage.layout(number).large
+    for travel, item, marks in shafts(stage.scene(number)):
+        shaft = next((mark for mark in marks if mark.role in ("vector", "whole")), None)
+        if shaft is not None and item.stroke.startswith(large):
+            yield travel, item, shaft
+
+
 @pytest.mark.parametrize("name", ["slider-crank", "slotted lever with ram"])
 def test_a_vector_longer_than_the_picture_that_it_leaves_grows_where_it_lands(name):
     """Over half the board its way could not be followed beside a caption."""
     _, sheet = moving(name)
     stage, found = Stage(sheet, screen((1280, 720)), KEY, travels(sheet)), 0
     for number in range(1, stage.count):
-        scene, large = stage.scene(number), stage.layout(number).large
-        for travel, item, marks in shafts(scene):
-            shaft = next((mark for mark in marks if mark.role in ("vector", "whole")), None)
-            if shaft is None or not item.stroke.startswith(large):
-                continue
+        scene = stage.scene(number)
+        for travel, item, shaft in large_shafts(stage, number):
             room = scene.sketches[travel.source].setting.room
             most, home = max(room.width, room.height), ends(shaft, 1.0)[0]
             for share in (part / 40 for part in range(41)):
@@ -457,11 +465,8 @@ def test_a_copy_stays_beside_its_source_until_it_flies(name):
     stage = Stage(sheet, screen((1280, 720)), KEY, travels(sheet))
     edges = stage.regions[FLIGHT].inside(EDGE), []
     for number in range(1, stage.count):
-        scene, large = stage.scene(number), stage.layout(number).large
-        for travel, item, marks in shafts(scene):
-            shaft = next((mark for mark in marks if mark.role in ("vector", "whole")), None)
-            if shaft is None or not item.stroke.startswith(large):
-                continue
+        scene = stage.scene(number)
+        for travel, item, shaft in large_shafts(stage, number):
             flight = Flight.of(item.stroke, travel, scene.sketches, edges)
             places = [ends(shaft, share)[0] for share in flight.landmarks[:2]]
             assert abs(places[1] - places[0]) < STAYS or len(flight.seconds) == 3, item.stroke
