@@ -323,7 +323,6 @@ PHRASES = {
     "parallel": "∥ {line}",
     "square": "⟂ {line}",
     "degrees": "{angle}°",
-    "at scale": "{what} 1 : {share}",
     "counter-clockwise": "gegen den Uhrzeigersinn",
     "clockwise": "im Uhrzeigersinn",
     "extending": "von {tail} nach {head} (ausfahrend)",
@@ -835,27 +834,26 @@ PHRASES = {
     ),
     "balls offset": "{size}",
     "balls C": (
-        "In *C* schneiden sich beide Kreise; die Schwinge *DC* steht bei {theta} = {angle}° vom "
-        "gemeinsamen Lot."
+        "In *C* schneiden sich beide Kreise; die Schwinge *DC* steht bei {theta} = {angle}°."
     ),
-    "balls top": "Senkrecht darunter ergänzt *C* Koppel und Schwinge in der unteren Ansicht.",
+    "balls top": "Senkrecht darunter ergänzt *C* die untere Ansicht.",
     "balls third": (
-        "Rechts zeigt eine Ansicht senkrecht zu *BC* und zur Bahn von *C* beide in wahrer Länge, "
-        "die Ebene ⟂ *BC* als Gerade."
+        "Um die Bahn von *C* umgeklappt zeigt die Ebene von *BC* und dieser Bahn beide in wahrer "
+        "Länge, die Ebene ⟂ *BC* als Gerade."
     ),
     "balls askew": (
-        "Dort misst *AB* {seen_AB}, *DC* {seen_DC}, *BT* (*AB* gedreht) {seen_BT} {unit}; "
-        "quer dazu (Pythagoras) *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
+        "Projektionen: *p_AB* = {seen_AB}, *p_DC* = {seen_DC}, *p_BT* = {seen_BT} (*BT*: *AB* "
+        "gedreht); nach hinten *h_AB* = {off_AB}, *h_DC* = {off_DC}, *h_BT* = {off_BT} {unit}."
     ),
     "balls along D": "längs *D* gesehen",
     "balls along A": "längs *A* gesehen",
-    "balls along both": "dreht sich mit *BC*: *BC* und Bahn von *C* in wahrer Länge",
+    "balls along both": "Ebene von *BC* und Bahn von *C* in wahrer Größe",
     # Pläne
     "balls path": "Bahn von *C*",
-    "balls remark": "gezeichnet in der Ansicht rechts; die Koppel dreht sich nicht um *BC*",
-    "balls tangential": "{label} = {symbol}·*BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
+    "balls remark": "in der Ebene von *BC* und Bahn von *C*; die Koppel dreht sich nicht um *BC*",
+    "balls tangential": "{label} = {symbol}·*p_BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
     "balls normal": (
-        "{label} = {symbol}²·{ends} = {rate} × {size} = {value} {unit}, von {head} nach {tail}."
+        "{label} = {symbol}²·{length} = {rate} × {size} = {value} {unit}, von {head} nach {tail}."
     ),
     "balls line BC velocity": "⟂ *BC* durch {point}, denn *BC* behält seine Länge",
     "balls line DC velocity": "∥ Bahn von *C* durch {point}",
@@ -863,12 +861,12 @@ PHRASES = {
     "balls line DC acceleration": "∥ Bahn von *C* durch {point}, längs {symbol}·*DC*",
     "balls coupler velocity": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s}.",
     "balls coupler velocity askew": (
-        "{label} = {value} {unit} im Bild, und senkrecht dazu {sum} = {off} {unit}: zusammen "
+        "{label} = {value} {unit} im Bild, nach hinten {sum} = {off} {unit}: zusammen "
         "{symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s²}.",
     "balls coupler acceleration askew": (
-        "{label} = {value} {unit} im Bild, und senkrecht dazu {sum} = {off} {unit}: zusammen "
+        "{label} = {value} {unit} im Bild, nach hinten {sum} = {off} {unit}: zusammen "
         "{symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",

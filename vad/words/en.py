@@ -323,7 +323,6 @@ PHRASES = {
     "parallel": "∥ {line}",
     "square": "⟂ {line}",
     "degrees": "{angle}°",
-    "at scale": "{what} 1 : {share}",
     "counter-clockwise": "counter-clockwise",
     "clockwise": "clockwise",
     "extending": "from {tail} towards {head} (extending)",
@@ -802,28 +801,27 @@ PHRASES = {
         "circle, so here *BC* is √({size}² − {height}²) = {reach} {unit} long."
     ),
     "balls offset": "{size}",
-    "balls C": (
-        "*C* is where both circles cross; the rocker *DC* stands at {theta} = {angle}° from the "
-        "common normal."
-    ),
-    "balls top": "Straight below, *C* completes the coupler and the rocker in the lower view.",
+    "balls C": "*C* is where both circles cross; the rocker *DC* stands at {theta} = {angle}°.",
+    "balls top": "Straight below, *C* completes the lower view.",
     "balls third": (
-        "On the right, a view square to *BC* and to the path of *C* shows both in true length, and "
-        "the plane ⟂ *BC* as a line."
+        "Turned about the path of *C*, the plane of *BC* and this path shows both in true length, "
+        "and the plane ⟂ *BC* as a line."
     ),
     "balls askew": (
-        "There *AB* looks {seen_AB}, *DC* {seen_DC} and *BT* (*AB* turned) {seen_BT} {unit}; "
-        "square to it (Pythagoras) *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
+        "Projections: *p_AB* = {seen_AB}, *p_DC* = {seen_DC}, *p_BT* = {seen_BT} (*BT* is *AB* "
+        "turned); into the paper *h_AB* = {off_AB}, *h_DC* = {off_DC}, *h_BT* = {off_BT} {unit}."
     ),
     "balls along D": "seen along *D*",
     "balls along A": "seen along *A*",
-    "balls along both": "turns with *BC*: *BC* and path of *C* in true length",
+    "balls along both": "plane of *BC* and path of *C* in true size",
     # polygons
     "balls path": "path of *C*",
-    "balls remark": "drawn in the view on the right; the coupler does not spin about *BC*",
-    "balls tangential": "{label} = {symbol}·*BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
+    "balls remark": (
+        "in the plane of *BC* and the path of *C*; the coupler does not spin about *BC*"
+    ),
+    "balls tangential": "{label} = {symbol}·*p_BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
     "balls normal": (
-        "{label} = {symbol}²·{ends} = {rate} × {size} = {value} {unit}, from {head} to {tail}."
+        "{label} = {symbol}²·{length} = {rate} × {size} = {value} {unit}, from {head} to {tail}."
     ),
     "balls line BC velocity": "⟂ *BC* through {point}, as *BC* keeps its length",
     "balls line DC velocity": "∥ the path of *C* through {point}",
@@ -831,12 +829,12 @@ PHRASES = {
     "balls line DC acceleration": "∥ the path of *C* through {point}, along {symbol}·*DC*",
     "balls coupler velocity": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s}.",
     "balls coupler velocity askew": (
-        "{label} = {value} {unit} in this view, and square to it {sum} = {off} {unit}: together "
+        "{label} = {value} {unit} in this view, into the paper {sum} = {off} {unit}: together "
         "{symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s²}.",
     "balls coupler acceleration askew": (
-        "{label} = {value} {unit} in this view, and square to it {sum} = {off} {unit}: together "
+        "{label} = {value} {unit} in this view, into the paper {sum} = {off} {unit}: together "
         "{symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",

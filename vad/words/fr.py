@@ -331,7 +331,6 @@ PHRASES = {
     "parallel": "∥ {line}",
     "square": "⟂ {line}",
     "degrees": "{angle}°",
-    "at scale": "{what} 1 : {share}",
     "counter-clockwise": "dans le sens trigonométrique",
     "clockwise": "dans le sens horaire",
     "extending": "de {tail} vers {head} (le vérin sort)",
@@ -834,27 +833,28 @@ PHRASES = {
     ),
     "balls offset": "{size}",
     "balls C": (
-        "*C* est à l’intersection des deux cercles ; le balancier *DC* est à {theta} = {angle}° de "
-        "la perpendiculaire commune."
+        "*C* est à l’intersection des deux cercles ; le balancier *DC* est à {theta} = {angle}°."
     ),
-    "balls top": "Juste au-dessous, *C* complète la bielle et le balancier dans la vue du bas.",
+    "balls top": "Juste au-dessous, *C* complète la vue du bas.",
     "balls third": (
-        "À droite, une vue perpendiculaire à *BC* et à la trajectoire de *C* montre les deux en "
-        "vraie grandeur, et le plan ⟂ *BC* comme une droite."
+        "Rabattu autour de la trajectoire de *C*, le plan de *BC* et de celle-ci montre les deux "
+        "en vraie grandeur, et le plan ⟂ *BC* comme une droite."
     ),
     "balls askew": (
-        "*AB* y paraît {seen_AB}, *DC* {seen_DC} et *BT* (*AB* tournée) {seen_BT} {unit} ; en "
-        "travers (Pythagore) *h_AB* = {off_AB}, *h_BT* = {off_BT}, *h_DC* = {off_DC}."
+        "Projections : *p_AB* = {seen_AB}, *p_DC* = {seen_DC}, *p_BT* = {seen_BT} (*BT* : *AB* "
+        "tournée) ; vers l’arrière *h_AB* = {off_AB}, *h_DC* = {off_DC}, *h_BT* = {off_BT} {unit}."
     ),
     "balls along D": "vu suivant *D*",
     "balls along A": "vu suivant *A*",
-    "balls along both": "tourne avec *BC* : *BC* et trajectoire de *C* en vraie grandeur",
+    "balls along both": "plan de *BC* et de la trajectoire de *C* en vraie grandeur",
     # polygones
     "balls path": "trajectoire de *C*",
-    "balls remark": "tracé dans la vue de droite ; la bielle ne tourne pas autour de *BC*",
-    "balls tangential": "{label} = {symbol}·*BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
+    "balls remark": (
+        "dans le plan de *BC* et de la trajectoire de *C* ; la bielle ne tourne pas autour de *BC*"
+    ),
+    "balls tangential": "{label} = {symbol}·*p_BT* = {rate} × {size} = {value} {unit}, ∥ *BT*.",
     "balls normal": (
-        "{label} = {symbol}²·{ends} = {rate} × {size} = {value} {unit}, de {head} vers {tail}."
+        "{label} = {symbol}²·{length} = {rate} × {size} = {value} {unit}, de {head} vers {tail}."
     ),
     "balls line BC velocity": "⟂ *BC* par {point}, car *BC* garde sa longueur",
     "balls line DC velocity": "∥ la trajectoire de *C* par {point}",
@@ -862,12 +862,12 @@ PHRASES = {
     "balls line DC acceleration": "∥ la trajectoire de *C* par {point}, suivant {symbol}·*DC*",
     "balls coupler velocity": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s}.",
     "balls coupler velocity askew": (
-        "{label} = {value} {unit} sur la vue, et en travers {sum} = {off} {unit} : en tout "
+        "{label} = {value} {unit} sur la vue, vers l’arrière {sum} = {off} {unit} : en tout "
         "{symbol} = {whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s²}.",
     "balls coupler acceleration askew": (
-        "{label} = {value} {unit} sur la vue, et en travers {sum} = {off} {unit} : en tout "
+        "{label} = {value} {unit} sur la vue, vers l’arrière {sum} = {off} {unit} : en tout "
         "{symbol} = {whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",

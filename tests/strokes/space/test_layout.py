@@ -13,8 +13,6 @@ from vad.kinematics.reach import closing_range
 from vad.plan.board import plan
 from vad.plan.format import screen
 from vad.strokes.space.layout import (
-    GAP,
-    TALLEST,
     Corners,
     beside,
     corners,
@@ -49,19 +47,25 @@ def test_what_swings_between_two_poses_of_a_turn_is_found_in_its_range() -> None
 
 
 @pytest.mark.parametrize("length", [2.0, 30.0, 400.0])
-def test_views_stand_apart_and_the_bar_has_room(length: float) -> None:
-    upper, lower = Corners(-2 - 3j, 9 + 4j), Corners(-4 - 5j, 7 + 6j)
-    third = Corners(length * (-0.8 - 0.1j), length * (0.1 + 0.6j))
-    views = beside(upper, lower, third, length)
-    top = lower.high.imag - views.drop
-    assert upper.low.imag - top == pytest.approx(GAP * 11.0)
-    height = upper.high.imag - (lower.low.imag - views.drop)
-    assert views.share <= max(1.0, TALLEST * height / length)
-    assert views.share * length <= TALLEST * height
-    low, high = (views.place + views.share * corner for corner in third)
-    assert low.real > upper.high.real
-    middle = 0.5 * (low + high).imag
-    assert middle == pytest.approx(upper.high.imag - 0.5 * height)
+@pytest.mark.parametrize("swing", [20.0, 170.0])
+def test_views_stand_apart_in_every_pose(swing: float, length: float) -> None:
+    """A third view that passes the lower one as it swings round stands above it."""
+    ways = np.exp(1j * np.radians(np.linspace(-swing, swing, 41)))
+    upper, lower = [-2 - 3j, 9 * ways, 4j], [-4 - 5j, 7 + 6j * ways.real]
+    third = [9 * ways, (9 - length) * ways + 2j * ways]
+    views = beside(upper, lower, third, ways)
+    for own in range(len(ways)):
+        above, below, laid = (
+            np.array([np.broadcast_to(each, ways.shape)[own] for each in points])
+            for points in (upper, lower, third)
+        )
+        near, far = ((each * ways[own].conjugate()).real for each in (above, laid))
+        far += views.aside
+        assert far.max() < near.min() or near.max() < far.min()
+        below, laid = below - 1j * views.drop, laid + views.aside * ways[own]
+        assert above.imag.min() > below.imag.max()
+        apart = laid.imag.min() > below.imag.max()
+        assert apart or laid.real.max() < below.real.min() or laid.real.min() > below.real.max()
 
 
 @pytest.mark.exhaustive(4)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -145,15 +146,51 @@ def test_where_bc_lies_along_the_path_the_third_view_is_along_the_axis() -> None
     assert abs(bars["BC.third"]) == pytest.approx(120.0)
 
 
-@pytest.mark.parametrize(("ground", "coupler", "share"), [(100.0, 120.0, 1.0), (1e3, 1e3, 0.2)])
-def test_the_third_view_is_drawn_in_a_round_scale_and_never_enlarged(
-    ground: float, coupler: float, share: float
-) -> None:
-    offsets = {"crank_offset": 0.0, "rocker_offset": 0.0, "ground_twist": 40.0}
-    motion = vad.solve(vad.RSSR(ground, 50.0, coupler, 100.0, **offsets), angle=75.0)
-    panel = vad.draw(motion).panel("position")
-    assert abs(arrows(panel)["BC.third"]) == pytest.approx(share * coupler)
-    assert panel.notes[-1].text.endswith(" 1 : 5") == (share == 0.2)
+@poses
+def test_lines_perpendicular_to_the_path_lead_from_the_front_to_the_third_view(motion: Any) -> None:
+    """The plane of BC and C's path is rotated about this path, and nothing is enlarged."""
+    shapes = {each.name: each.shape for each in vad.draw(motion).panel("position").strokes}
+    path = np.subtract(*reversed(shapes["C.line"].points))
+    assert shapes["DC.front"].end - shapes["DC.front"].start == pytest.approx(
+        -1j * motion.mechanism.rocker * path / abs(path), abs=1e-9
+    )
+    for letter, bar in (("A", "AB"), ("B", "BC"), ("C", "DC")):
+        end = "end" if letter == "C" else "start"
+        begun, reached = shapes[f"{letter}.aside"].points
+        assert begun == getattr(shapes[f"{bar}.front"], end)
+        assert reached == getattr(shapes[f"{bar}.third"], end)
+        along = (reached - begun) / path
+        assert abs(along.real) < 1e-9 * abs(along.imag)
+    laid = shapes["BC.third"]
+    assert abs(laid.end - laid.start) == pytest.approx(motion.mechanism.coupler, rel=1e-12)
+
+
+@poses
+def test_projections_have_letters_of_their_own_and_are_all_explained(motion: Any) -> None:
+    """With the parts that lead into the paper they make the true lengths, and h·ω² has its sign."""
+    sheet, number = vad.draw(motion), r"(−?\d+(?:\s\d{3})*(?:\.\d+)?)"
+    told = sheet.panel("position").strokes[-1].caption
+    seen, off = (
+        {ends: float(value.replace("−", "-")) for ends, value in re.findall(each, told)}
+        for each in (rf"p_(\w\w) = {number}", rf"h_(\w\w) = {number}")
+    )
+    sizes = motion.mechanism.parameters()
+    true = {"AB": sizes["crank"], "BT": sizes["crank"], "DC": sizes["rocker"]}
+    for ends, length in true.items():
+        assert math.hypot(seen[ends], off[ends]) == pytest.approx(length, rel=1e-3)
+    toward = np.array(third_view(motion).toward)
+    for ends, (tail, head) in (("AB", "AB"), ("DC", "DC")):
+        depth = (motion.point(tail).position - motion.point(head).position) @ toward
+        assert off[ends] == pytest.approx(depth, rel=1e-3, abs=1e-3 * true[ends])
+    strokes = {s.name: s.caption for s in sheet.panel("acceleration").strokes}
+    assert "ω₂²·p_AB = " in strokes["AB.normal"]
+    assert "ω₄²·p_DC = " in strokes["DC.normal"]
+    assert "ω₃²·BC = " in strokes["BC.normal"]
+    assert "α₂·p_BT = " in strokes["AB.tangential"]
+    change = motion.point("B").acceleration - motion.point("C").acceleration
+    (said,) = re.findall(rf"into the paper [^:]+ = {number}\s", strokes["BC.tangential"])
+    into = float("".join(said.split()).replace("−", "-"))
+    assert into == pytest.approx(change @ toward, rel=1e-3)
 
 
 def test_lengths_whose_squares_underflow_are_drawn_as_any_others():

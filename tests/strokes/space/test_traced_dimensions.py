@@ -62,11 +62,11 @@ def kept_views(monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest) 
         return length(mechanism) / length(own)
 
     if isinstance(own, vad.RSSR):
-        (drop, place, share), swing = rssr._layout(own)
+        (drop, aside), swing = rssr._layout(own)
         monkeypatch.setattr(
             rssr,
             "_layout",
-            lambda other: (Layout(grown(other) * drop, grown(other) * place, share), swing),
+            lambda other: (Layout(grown(other) * drop, grown(other) * aside), swing),
         )
     if isinstance(own, vad.SpatialFourBar):
         low, high = spatial_four_bar._reach(own)

@@ -209,7 +209,11 @@ class Views:
 
     def _moving(self, panel: Panel, still: Sketch, alone: bool = False) -> Sketch:
         """Return what moves in one pose; ``alone`` gives each letter a joint of its own."""
-        strokes = tuple(s for s in panel.strokes if s.name not in self._unmoved and lasts(s))
+        strokes = tuple(
+            s
+            for s in panel.strokes
+            if s.name not in self._unmoved and lasts(s) and (alone or not _is_helper(s))
+        )
         setting = replace(self._setting, panel=replace(panel, strokes=strokes))
         obstacles = Obstacles(setting.room, list(still.obstacles.lines))
         sketch = Sketch(setting, self.scale, obstacles, finished=True)
@@ -465,6 +469,11 @@ def lasts(stroke: Stroke) -> bool:
     is_tool = isinstance(stroke.shape, Arc) and stroke.kind == "construction"
     is_laid = stroke.part.which == "laid"  # to either side of OI, as the pose wants it
     return not (is_tool or is_laid or isinstance(stroke.shape, Line) or stroke.kind == "angle")
+
+
+def _is_helper(stroke: Stroke) -> bool:
+    """Tell whether a dot only helps a construction: it has no letter in a turn."""
+    return isinstance(stroke.shape, Dot) and stroke.kind == "construction"
 
 
 def _unmoved(poses: Sequence[Panel]) -> set[str]:

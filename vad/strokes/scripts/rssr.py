@@ -1,7 +1,9 @@
 """The ball-jointed four-bar: views along both axes, and one with BC and C's path in true length.
 
 The two views along the axes stand one above the other, for both have the common normal across the
-page.  The third view, in which its polygons are drawn, stands to the right.
+page.  In the third view, in which its polygons are drawn, the plane of BC and C's path is rotated
+about this path into the paper.  Then every point moves along a line perpendicular to the path:
+along such lines the view is moved aside.
 """
 
 from collections.abc import Mapping
@@ -11,13 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from vad.kinematics.numbers import fold, minimum, ray, traced, vector
-from vad.kinematics.space.numbers import difference, dot
+from vad.kinematics.numbers import fold, minimum, traced, vector
+from vad.kinematics.space.numbers import Vector3, difference, dot
 from vad.strokes.arithmetic import Figure, leg
 from vad.strokes.diagram import POSITION, Drawing, Order, Spot
 from vad.strokes.sheet import Arrow, Curve, Dot
 from vad.strokes.space.bars import BarScript
-from vad.strokes.space.layout import Layout, beside, corners, over_its_range
+from vad.strokes.space.layout import Layout, beside, over_its_range
 from vad.strokes.space.view import View, circle, compass, through
 from vad.strokes.vector_equations import NOTHING
 
@@ -34,7 +36,7 @@ SAMPLES = 181
 class Script(BarScript):
     """The drawings of the ball-jointed four-bar."""
 
-    topic, tilt = "balls", ray(115.0)
+    topic = "balls"
 
     @property
     def front(self) -> View:
@@ -45,9 +47,9 @@ class Script(BarScript):
     @property
     def _layout(self) -> tuple[Layout, tuple[float, float]]:
         """Return where the views stand, and over which angles the rocker's path is drawn."""
-        (drop, place, share), (low, high) = _layout(self.settled)
+        (drop, aside), (low, high) = _layout(self.settled)
         growth = self.growth
-        views = Layout(growth * drop, growth * place, share)
+        views = Layout(growth * drop, growth * aside)
         if not traced([growth]):
             return views, (low, high)
         middle = 0.5 * (low + high)
@@ -58,26 +60,30 @@ class Script(BarScript):
         if order is not POSITION:
             return {Spot(letter): at for letter, at in self.vertices(order).items()}
         places = {letter: self.at[letter] for letter in "ABCD"}
-        aside = {letter: self._aside(letter) for letter in places}
+        laid = {letter: self._laid(at) for letter, at in places.items()}
         views, _ = self._layout
         top = replace(TOP, at=vector(0.0, -views.drop))
+        aside = views.aside * self._across
         return {
             **{Spot(letter): self.front.way(at) for letter, at in places.items()},
             **{Spot(letter, "top"): top.point(at) for letter, at in places.items()},
-            **{
-                Spot(letter, "third", path="none"): views.place + views.share * way
-                for letter, way in aside.items()
-            },
+            **{Spot(letter, "third", path="none"): at + aside for letter, at in laid.items()},
         }
 
-    def _aside(self, letter: str) -> Any:
-        """Return where a point stands from B in the third view, in full size."""
-        return self.true.way(difference(self.at[letter], self.at["B"]))
+    @property
+    def _across(self) -> Any:
+        """The direction from D to C on the page, in which the points of the third view move."""
+        return -1j * self.true.turn
+
+    def _laid(self, place: Vector3) -> Any:
+        """Return where a point is after the rotation about the path of C, before it is moved."""
+        c = self.at["C"]
+        return self.front.way(c) + self.true.way(difference(place, c))
 
     def views(self) -> Drawing:
         fixed, guide, known, construction, crossing, _, _, bar = self.pens
         at, unit, say = self.spots(), self.scene.unit, self.scene.say
-        views, (low, high) = self._layout
+        _, (low, high) = self._layout
         crank, rocker = self.sizes["crank"], self.sizes["rocker"]
 
         def rod(tail: str, head: str) -> Arrow:
@@ -122,21 +128,25 @@ class Script(BarScript):
         bar("DC.top", rod("D.top", "C.top"), "rocker")
         bar("BC.top", rod("B.top", "C.top"), "coupler")
         self.tell("third")
+        construction("C.aside", Curve((at["C"], at["C.third"])))
+        construction("B.aside", Curve((at["B"], at["B.third"])))
         bar("BC.third", rod("B.third", "C.third"), "coupler")
         onward = ONWARD * (at["C.third"] - at["B.third"])
         construction("B.plane", through(at["B.third"], 1j * onward), "coupler")
-        along = abs(onward) * self.true.way(self.path)
+        along = abs(onward) * self.true.turn
         construction("C.line", through(at["C.third"], along), "rocker")
         self.tell("askew", **self._askew())
+        construction("A.aside", Curve((at["A"], at["A.third"])))
         bar("AB.third", rod("A.third", "B.third"), "crank")
-        ways = {"top": 1j * (at["B.top"] - at["A.top"]), "third": views.share * self._aside("T")}
-        for view, way in ways.items():
-            line = Curve((at[f"B.{view}"] + way, at[f"B.{view}"]))
-            construction(f"BT.{view}", line, "crank", "T")
+        turned = difference(self.at["T"], self.at["B"])
+        for view, way in (("top", TOP.way(turned)), ("third", self.true.way(turned))):
+            end = at[f"B.{view}"] + way
+            construction(f"BT.{view}", Curve((end, at[f"B.{view}"])), "crank")
+            construction(f"T.{view}", Dot(end), label="T")
         bar("DC.third", rod("D.third", "C.third"), "rocker")
-        right, length = max(at["C"].real, at["B"].real), views.share * size.value
-        below = views.place - 0.28j * length
-        third = self.note(below, "along both", "BC.third", views.share)
+        right = max(at["C"].real, at["B"].real)
+        below = 0.5 * (at["B.third"] + at["C.third"]) - 0.3j * size.value
+        third = self.note(below, "along both", "BC.third")
         front = self.note(vector(right, at["A"].imag + crank), "along D", "D.fixed")
         top = self.note(0.5 * (at["A.top"] + at["D.top"]), "along A", "A.fixed")
         return self.finished(("AB.bar", "BC.front"), ("AD", "DC.front"), front, top, third)
@@ -152,10 +162,10 @@ class Script(BarScript):
 def _layout(mechanism: Any) -> tuple[Layout, tuple[float, float]]:
     """Return where the views stand in all poses, and the range of the rocker's angle."""
     turning: Any = over_its_range(mechanism, SAMPLES)
-    front = corners(turning.front.way(turning.at[letter]) for letter in "ABCD")
-    top = corners(TOP.way(each) for each in turning.at.values())
-    third = corners(map(turning._aside, turning.at))
+    front, top = (map(view.way, turning.at.values()) for view in (turning.front, TOP))
+    third = map(turning._laid, turning.at.values())
+    views = beside(front, top, third, turning._across)
     motion = turning.motion
     turned = np.unwrap(motion.link("rocker").angle[motion.assembled], period=360.0)
     swing = float(turned.min()), float(min(turned.max(), turned.min() + 360.0))
-    return beside(front, top, third, turning.sizes["coupler"]), swing
+    return views, swing

@@ -7,6 +7,7 @@ the component of a vector perpendicular to the paper where it matters.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any
@@ -46,12 +47,16 @@ class BarScript(Script):
 
     Attributes
     ----------
-    tilt
-        The direction of BC in the view of its polygons, as a unit vector.
+    front
+        The view along D's axis, in which C's path has its true direction.
     """
 
     rows, numbers = BARS, {"crank": 2, "coupler": 3, "rocker": 4}
-    tilt: complex
+
+    @property
+    @abstractmethod
+    def front(self) -> View:
+        """The view along D's axis, from its end."""
 
     def unit(self, order: Order) -> str:
         """Return the unit of the views (order 0) or of a polygon."""
@@ -84,18 +89,21 @@ class BarScript(Script):
 
     @cached_property
     def true(self) -> View:
-        """The view in which BC and the path of C are in true length, from the side of D's axis."""
+        """The plane of BC and the path of C, rotated about this path into the paper of the front.
+
+        It is seen from the side of D's axis.
+        """
         along, d = unit(self._bar("B", "C")), self.axis("D")
         across = cross(along, self.path)
         flat = 1.0 * (dot(across, across) < 1e-24)  # BC lies along the path
         upright = difference(d, scaled(dot(along, d), along))
         across = added(scaled(1.0 - flat, across), scaled(flat, upright))
         outward = unit(scaled(1.0 - 2.0 * (dot(across, d) < 0.0), across))
-        return View(along, cross(outward, along), turn=self.tilt)
+        return View(self.path, cross(outward, self.path), turn=self.front.way(self.path))
 
     def _depth(self, ends: str) -> Any:
-        """Return how far the second end of a bar stands before the first one in that view."""
-        return dot(difference(*(self.at[letter] for letter in reversed(ends))), self.true.toward)
+        """Return how far the second end of a bar stands behind the first one in that view."""
+        return dot(difference(*(self.at[letter] for letter in ends)), self.true.toward)
 
     def leads_off(self, ends: str) -> bool:
         """Tell whether a bar does not lie in the paper of that view."""
@@ -103,10 +111,11 @@ class BarScript(Script):
         return bool(abs(self._depth(ends)) > NOTHING * size)
 
     def askew(self, ends: str) -> tuple[Figure, Figure]:
-        """Return the length of a bar in that view, and how far it leads out of the paper."""
+        """Return the length of a bar in that view, and how far it leads into the paper."""
         tail, head = (self.at[letter] for letter in ends)
         seen, unit = self.true.way(difference(head, tail)), self.scene.unit
-        return Figure(abs(seen), unit), Figure(abs(self._depth(ends)), unit)
+        depth = self._depth(ends) if self.leads_off(ends) else 0.0
+        return Figure(abs(seen), unit), Figure(depth, unit)
 
     def vertices(self, order: Order) -> dict[str, Any]:
         """Return where the vertices of a polygon are, of one pose or of many."""
@@ -168,9 +177,9 @@ class BarScript(Script):
     def _line(self, link: str) -> tuple[complex, str | Text, str | None]:
         """Return a construction line: its direction, label, and the bar perpendicular to it."""
         if link == "coupler":
-            return 1j * self.tilt, "⟂ BC", "BC"
+            return 1j * self.true.way(unit(self._bar("B", "C"))), "⟂ BC", "BC"
         path = self.scene.say(f"{self.topic} path")
-        return self.true.way(self.path), self.scene.write("parallel", line=path), None
+        return self.true.turn, self.scene.write("parallel", line=path), None
 
     def _normal(self, link: str) -> complex:
         """Return the projection of a normal component."""
@@ -181,7 +190,7 @@ class BarScript(Script):
             seen: complex = self.true.way(bar) * -(omega * omega)
             return seen
         speed = self._relative_speed
-        normal: complex = (speed * speed / norm(bar)) * -self.tilt
+        normal: complex = self.true.way(unit(bar)) * -(speed * speed / norm(bar))
         return normal
 
     def _relative(self, order: Order) -> Vector3:
@@ -194,26 +203,19 @@ class BarScript(Script):
         return speed
 
     def _off(self, order: Order) -> tuple[float, str]:
-        """Return how far c lies out of the paper relative to b, and which components add to it."""
+        """Return how far c lies behind b, into the paper, and of what this is the sum."""
         crank, rocker = self.motion.link("crank"), self.motion.link("rocker")
         if order is VELOCITY:
-            factors = {TURNED: (-crank.omega, "ω₂")}
+            rates = [("−", crank.omega, "ω₂", TURNED)]
         else:
-            factors = {
-                "AB": (crank.omega**2, "ω₂²"),
-                TURNED: (-crank.alpha, "α₂"),
-                "DC": (-(rocker.omega**2), "ω₄²"),
-            }
-        parts = [
-            (factor * self._depth(ends), f"{symbol}·h_{ends}")
-            for ends, (factor, symbol) in factors.items()
-            if factor and self.leads_off(ends)
-        ]
-        whole = sum(part for part, _ in parts)
-        sign = 1.0 if whole >= 0.0 else -1.0
-        parts.sort(key=lambda part: bool(sign * part[0] < 0.0))
-        said = "".join((" − " if sign * part < 0.0 else " + ") + name for part, name in parts)
-        return abs(whole), said.removeprefix(" + ")
+            rates = [("+", crank.omega**2, "ω₂²", "AB"), ("−", rocker.omega**2, "ω₄²", "DC")]
+            rates += [("−", crank.alpha, "α₂", TURNED)]
+        rates = [each for each in rates if each[1] and self.leads_off(each[3])]
+        said = " ".join(f"{sign} {symbol}·h_{ends}" for sign, _, symbol, ends in rates)
+        parts = (
+            (1 - 2 * (sign == "−")) * rate * self._depth(ends) for sign, rate, _, ends in rates
+        )
+        return sum(parts), said[:2].strip("+ ") + said[2:]
 
     # --- what is said of it -------------------------------------------------------------------
 
@@ -251,14 +253,15 @@ class BarScript(Script):
         """Say what a power of a rate times the length of a bar is, as its own view shows both."""
         unit = self.unit(ACCELERATION if power == 2 else order)
         size, rate = self.askew(ends)[0], abs(self.turning(link, order))
+        length = f"p_{ends}"
         if link == "coupler":  # in true length
-            size = self.length(link)
+            size, length = self.length(link), ends
         return partial(
             self.scene.say,
             f"{self.topic} {phrase}",
             product("value", "rate", "size"),
             symbol=self._symbol(link, order),
-            ends=ends,
+            length=length,
             tail=ends[0],
             head=ends[1],
             rate=Figure(rate, order.unit, link == "crank", power),

@@ -10,12 +10,10 @@ import numpy as np
 from vad.kinematics.motion import solve
 from vad.kinematics.reach import closing_range
 from vad.strokes.space.scene import SceneInSpace, Script
-from vad.strokes.space.view import round_share
 from vad.words import Language
 
-#: The largest length of a bar in its own view, as a share of the height of the other two views; the
-#: gap between views.
-TALLEST, GAP = 0.6, 0.14
+#: The gap between views, as a share of the larger one.
+GAP = 0.14
 
 
 class Corners(NamedTuple):
@@ -31,15 +29,14 @@ class Corners(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """Where a lower view and a third one stand beside an upper view.
+    """Where a lower view stands below an upper one, and a third view aside of it.
 
-    The lower view stands by ``drop`` below the upper one.  A bar begins at ``place`` in the third
-    view, which is drawn ``share`` times as large.
+    The lower view stands by ``drop`` below the upper one.  The third one is moved by ``aside``
+    along its lines of projection.
     """
 
     drop: float
-    place: complex
-    share: float
+    aside: float
 
 
 def over_a_turn(mechanism: Any, poses: int) -> Script:
@@ -65,33 +62,43 @@ def corners(places: Iterable[Any]) -> Corners:
 
     Poses in which a point has no place are left out: those that do not close, and dead centres.
     """
-    spots = np.array(np.broadcast_arrays(*places))
-    seen = spots[:, np.isfinite(spots).all(axis=0)]
+    spots = _seen(places)
     return Corners(
-        complex(seen.real.min(), seen.imag.min()), complex(seen.real.max(), seen.imag.max())
+        complex(spots.real.min(), spots.imag.min()), complex(spots.real.max(), spots.imag.max())
     )
 
 
-def beside(upper: Corners, lower: Corners, third: Corners, length: float) -> Layout:
-    """Return where a lower view and, to the right of both, the view of a bar stand.
+def beside(upper: Iterable[Any], lower: Iterable[Any], third: Iterable[Any], way: Any) -> Layout:
+    """Return where a lower view and a third one stand, so that no two are on each other.
 
     Parameters
     ----------
-    upper, lower
-        The corners of both views, before the lower one is moved down.
-    third
-        The corners of the view of the bar, which begins at zero.
-    length
-        The length of the bar.
+    upper, lower, third
+        The projections of the points of each view in the same poses, before they are moved apart.
+    way
+        The direction of the lines from the upper view to the third one, as unit vectors.
     """
-    right = max(upper.high.real, lower.high.real)
-    size = max(upper.size.real, lower.size.imag)
-    drop = lower.high.imag - upper.low.imag + GAP * size
-    low, high = lower.low.imag - drop, upper.high.imag
-    share = round_share(TALLEST * (high - low) / length)
-    left = right + 2.2 * GAP * size
-    middle = 0.5 * (high + low) - 0.5 * share * (third.low + third.high).imag
-    return Layout(drop, complex(left - share * third.low.real, middle), share)
+    spots = _seen((*(first := list(upper)), *(second := list(lower)), *third, way))
+    above, below, laid = np.split(spots[:-1], [len(first), len(first) + len(second)])
+    ways = spots[-1]
+    high, low = corners(above), corners(below)
+    gap = GAP * max(high.size.real, low.size.imag)
+    along, beyond = (np.real(each * ways.conj()) for each in (above, laid))
+    before = float((along.min(axis=0) - beyond.max(axis=0)).min()) - gap
+    after = float((along.max(axis=0) - beyond.min(axis=0)).max()) + gap
+    aside = before if -before < after else after
+    moved = laid + aside * ways
+    left = moved.real.max(axis=0) + gap < below.real.min(axis=0)
+    right = moved.real.min(axis=0) - gap > below.real.max(axis=0)
+    over = moved.imag.min(axis=0)[~(left | right)]
+    floor = min(high.low.imag, float(over.min(initial=np.inf)))
+    return Layout(low.high.imag - floor + gap, aside)
+
+
+def _seen(places: Iterable[Any]) -> Any:
+    """Return the places of points, a row each, in the poses in which all have one."""
+    spots = np.array(np.broadcast_arrays(*places), dtype=complex)
+    return spots[:, np.isfinite(spots).all(axis=0)]
 
 
 def _script(motion: Any) -> Script:

@@ -333,17 +333,9 @@ class Script(ABC):
         self.draw("known", f"{name}.shaft", Curve(ends), link, label, body=True)
         self.draw("fixed", f"{name}.bearing", Bearing(bearing, way))
 
-    def note(self, at: complex, phrase: str, comes: str, share: float = 1.0, **parts: Any) -> Note:
-        """Return a note beside a view, which comes with its first stroke.
-
-        It says the scale of a view that is drawn smaller.
-        """
-        key, scene = f"{self.topic} {phrase}", self.scene
-        if share == 1.0:
-            return Note(at, scene.write(key, **parts), comes)
-        scale = f"{1.0 / share:.6g}"
-        text = scene.write("at scale", what=scene.say(key, **parts), share=scale)
-        return Note(at, text, comes)
+    def note(self, at: complex, phrase: str, comes: str, **parts: Any) -> Note:
+        """Return a note beside a view, which comes with its first stroke."""
+        return Note(at, self.scene.write(f"{self.topic} {phrase}", **parts), comes)
 
     def leave_out(self) -> None:
         """Record the last stroke as one that is not drawn in this pose."""

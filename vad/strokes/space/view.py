@@ -6,7 +6,6 @@ on the page, and shapes of strokes.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -138,15 +137,3 @@ def compass(centre: complex, at: complex, half: float) -> Arc:
 def through(at: complex, half: complex) -> Curve:
     """Return a line through a point, as long as the vector ``half`` to each side."""
     return Curve((at - half, at + half))
-
-
-def round_share(most: float) -> float:
-    """Return 1, or the half, fifth, tenth … that is not above ``most``: the scale of a view.
-
-    Examples
-    --------
-    >>> round_share(3.0), round_share(0.7), round_share(0.034)
-    (1.0, 0.5, 0.02)
-    """
-    power = 10.0 ** math.floor(math.log10(most))
-    return min(1.0, next(each * power for each in (5.0, 2.0, 1.0) if each * power <= most))
