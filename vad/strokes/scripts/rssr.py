@@ -138,8 +138,8 @@ class Script(BarScript):
         self.tell("askew", **self._askew())
         construction("A.aside", Curve((at["A"], at["A.third"])))
         bar("AB.third", rod("A.third", "B.third"), "crank")
-        turned = difference(self.at["T"], self.at["B"])
-        for view, way in (("top", TOP.way(turned)), ("third", self.true.way(turned))):
+        to_t = difference(self.at["T"], self.at["B"])
+        for view, way in (("top", TOP.way(to_t)), ("third", self.true.way(to_t))):
             end = at[f"B.{view}"] + way
             construction(f"BT.{view}", Curve((end, at[f"B.{view}"])), "crank")
             construction(f"T.{view}", Dot(end), label="T")
