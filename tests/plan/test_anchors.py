@@ -283,7 +283,7 @@ def cut(
 def ray(stated: dict[str, Any], places: Places, found: list[complex]) -> list[complex]:
     """Check that a construction line leads in its direction, and return its beginning."""
     line: Any = places.strokes[stated["stroke"]].shape
-    start = places.scale(line.through) + complex(*stated["aside"])
+    start = places.scale(line.through)
     way = line.direction
     assert abs(((found[1] - start) * way.conjugate()).imag) < CLOSE
     assert Rect(**stated["room"]).holds(found[1], CLOSE)
@@ -416,7 +416,7 @@ def check_seen(mark: Mark, places: Places) -> None:
     found, rim = vertices(mark), lens.radius + BAND / 2
     if stated["kind"] == "Ray":
         line: Any = places.strokes[stated["stroke"]].shape
-        start = places.scale(line.through) + complex(*stated["aside"])
+        start = places.scale(line.through)
         assert all(abs(((z - start) * line.direction.conjugate()).imag) < CLOSE for z in found)
     elif stated["kind"] != "Stretch":
         whole = expected(stated, places, mark)

@@ -483,7 +483,7 @@ def test_a_construction_line_reaches_its_crossing_within_a_lens(name: str):
             for mark in (mark for mark in item.marks if mark.role == "construction"):
                 lens, ray = mark.hangs.lens, mark.hangs.shape
                 line = sketch.solved.shape(ray.stroke)
-                crossing = lens(sketch.scale(line.until)) + ray.aside
+                crossing = lens(sketch.scale(line.until))
                 if abs(crossing - lens.at) < lens.radius:
                     [(start, end)] = mark.shape.pieces
                     part = (crossing - start) / (end - start)

@@ -110,7 +110,7 @@ def block_construction(sketch: Sketch, index: int) -> None:
         assert isinstance(arc, Bow)
         sketch.obstacles.line(arc.line(), CONSTRUCTION / 2, span)
     elif isinstance(stroke.shape, Line):
-        placed = line_of(sketch, index, {})
+        placed = line_of(sketch, index)
         sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, span)
 
 

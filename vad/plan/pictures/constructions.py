@@ -6,7 +6,6 @@ Lines are visible until a result is inked over them.  The teacher's tools move w
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise, product
 
@@ -26,7 +25,6 @@ from vad.plan.marks import (
     disc,
     line,
 )
-from vad.plan.pictures.vectors import PlacedVector
 from vad.plan.reach import is_figure
 from vad.plan.roles import CONSTRUCTION
 from vad.plan.sketch import Sketch
@@ -51,18 +49,16 @@ COMING = Fading(((0.25, 0.0), (0.6, 1.0)))
 class Ray:
     """The anchors of a construction line: it runs through a point along a direction.
 
-    It ends past its crossing, but in its room, if it has one; it may run ``aside`` of the point, in
-    a lane.
+    It ends past its crossing, but in its room, if it has one.
     """
 
     stroke: str
-    aside: complex
     room: Rect | None
 
     def posed(self, solved: Solved) -> Polyline:
         """Return the line in a pose."""
         shape: Line = solved.shape(self.stroke)
-        start, until = (solved.scale(z) + self.aside for z in (shape.through, shape.until))
+        start, until = map(solved.scale, (shape.through, shape.until))
         return Polyline(((start, construction_end(start, shape.direction, until, self.room)),))
 
 
@@ -82,18 +78,17 @@ class PlacedLine:
         return replace(line((self.start, self.end), role, self.row, growth), hangs=self.hangs)
 
 
-def line_of(sketch: Sketch, index: int, vectors: Mapping[int, PlacedVector]) -> PlacedLine:
+def line_of(sketch: Sketch, index: int) -> PlacedLine:
     """Return the construction line of one stroke, which must be a line.
 
-    It runs in the lane of the vector that is inked over it.
+    It meets the points that it is drawn for, even where a vector has a lane beside it.
     """
     setting = sketch.setting
     stroke = setting.panel.strokes[index]
     shape = stroke.shape
     assert isinstance(shape, Line)
     result = inked_by(setting.panel, index)
-    aside = 0j if result is None else vectors[result].lane.aside
-    ray = Ray(stroke.name, aside, setting.room)
+    ray = Ray(stroke.name, setting.room)
     ((start, end),) = ray.posed(sketch.solved).pieces
     if setting.panel.picture == "views" or is_figure(stroke):
         gone = setting.over(crossed_at(setting.panel, index))

@@ -52,7 +52,7 @@ def _add(sketch: Sketch, index: int) -> None:
     during = setting.during(index)
     match stroke.shape:
         case Line():
-            placed = line_of(sketch, index, {})
+            placed = line_of(sketch, index)
             sketch.add(stroke, Level.CONSTRUCTION, during, [placed.mark(THIN)])
             add_drawn_line(sketch, index, placed)
             sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, (during, FOREVER))

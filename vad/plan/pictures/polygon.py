@@ -87,7 +87,7 @@ class Polygon:
             if isinstance(stroke.shape, Arrow):
                 add_vector(sketch, index, placed[index])
             elif isinstance(stroke.shape, Line):
-                add_construction(sketch, index, line_of(sketch, index, placed))
+                add_construction(sketch, index, line_of(sketch, index))
             elif isinstance(stroke.shape, Arc):
                 add_compass_arc(sketch, index)
             elif isinstance(stroke.shape, Ellipse):
@@ -192,10 +192,9 @@ def draw(setting: Setting) -> Sketch:
 
     sketch = with_lenses(setting, drawn)
     points = [vertex.at for vertex in find_vertices(setting.panel, sketch.scale)]
-    placed = place_vectors(sketch)
     for index, stroke in enumerate(setting.panel.strokes):
         if isinstance(stroke.shape, Line):
-            name_construction(sketch, index, line_of(sketch, index, placed), points)
+            name_construction(sketch, index, line_of(sketch, index), points)
     return sketch
 
 

@@ -102,7 +102,7 @@ class Skeleton:
         self._letter(sketch, vertices, labels, arcs)
         for index, stroke in enumerate(panel.strokes):
             if isinstance(stroke.shape, Line):
-                add_square(sketch, index, line_of(sketch, index, {}))
+                add_square(sketch, index, line_of(sketch, index))
             elif isinstance(stroke.shape, Arc) and stroke.kind == "construction":
                 add_compass(sketch, index, visible=not is_figure(stroke))
         return sketch
@@ -259,9 +259,9 @@ class Skeleton:
             case Arc() if stroke.kind == "construction":
                 add_compass_arc(sketch, index)
             case Line() if stroke.component == "action":  # a line of action stays
-                add_construction(sketch, index, line_of(sketch, index, {}))
+                add_construction(sketch, index, line_of(sketch, index))
             case Line():
-                add_drawn_line(sketch, index, line_of(sketch, index, {}))
+                add_drawn_line(sketch, index, line_of(sketch, index))
 
     def _add_joints(self, sketch: Sketch, vertices: Sequence[Vertex]) -> None:
         """Add the pin at each vertex, or its dot where no two bodies meet."""

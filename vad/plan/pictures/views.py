@@ -159,7 +159,7 @@ class Views:
         points = [vertex.at for vertex in vertices]
         for index, stroke in enumerate(panel.strokes):
             if isinstance(stroke.shape, Line):
-                placed = line_of(sketch, index, {})
+                placed = line_of(sketch, index)
                 if stroke.label:
                     name_construction(sketch, index, placed, points)
                 else:
@@ -300,7 +300,7 @@ def add_stroke(sketch: Sketch, index: int) -> None:
             assert isinstance(shape, Bow)
             sketch.obstacles.line(shape.line(), CONSTRUCTION / 2, (during, FOREVER))
         case Line():
-            add_construction(sketch, index, line_of(sketch, index, {}))
+            add_construction(sketch, index, line_of(sketch, index))
 
 
 def add_pins(sketch: Sketch, vertices: list[Vertex]) -> None:
