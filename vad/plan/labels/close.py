@@ -7,6 +7,7 @@ it shows.  Needs that are near share one lens.
 
 Two lenses are enough for nearly all panels, and more make a panel restless.  But that no two points
 look like one comes first: where lenses leave such points, one or two more stand if they have room.
+In a wide room, the large panel of a lesson, there is room for more than in a still.
 """
 
 from __future__ import annotations
@@ -25,6 +26,9 @@ from vad.strokes.sheet import Arrow
 LEAST = 12.0 * PIXEL
 #: Of a vector that is shorter, dots and head leave no line to be seen.
 SHORTEST = 20.0 * PIXEL
+#: In a wide room there are lenses for dots that are farther apart, too: in a mechanism, and in a
+#: polygon, where the heads of vectors that end at one reach to the other.
+LEAST_WIDE, LEAST_OF_HEADS = SHORTEST, 29.0 * PIXEL
 APART = 0.030
 FACTORS = (4.0, 8.0, 12.0, 20.0, 50.0, 100.0, 200.0)
 #: Dots that are so far apart in a lens are seen as two, if nearly.
@@ -122,10 +126,10 @@ def untold(setting: Setting, vertices: Sequence[Vertex], close: Sequence[Close])
     """Return the pairs of vertices that look like one where no lens of a ``close`` place helps.
 
     Those that no lens can tell apart are not among them; those that are seen as two are, where
-    fewer than the usual lenses stand.
+    fewer than the usual lenses stand, and in a wide room.
     """
     needs = list(_needs(setting, vertices, ())) if len(vertices) <= MANY else []
-    few = len(close) < MOST
+    few = len(close) < MOST or _is_wide(setting)
     needs = [need for need in needs if (few or need.is_pressing) and need.met(FACTORS[-1])]
     for each in close:
         needs = list(_unmet(needs, each.members, each.factor))
@@ -168,16 +172,27 @@ def _tried(
 
 def largest(setting: Setting) -> float:
     """Return the radius of a lens where there is room enough."""
-    return LARGEST if setting.room.width < WIDE else LARGEST_ALONE
+    return LARGEST_ALONE if _is_wide(setting) else LARGEST
+
+
+def _is_wide(setting: Setting) -> bool:
+    return setting.room.width >= WIDE
+
+
+def _least(setting: Setting) -> float:
+    """Return how far apart two vertices have to be that need no lens."""
+    if not _is_wide(setting):
+        return LEAST
+    return LEAST_OF_HEADS if setting.panel.picture == "vectors" else LEAST_WIDE
 
 
 def _needs(setting: Setting, vertices: Sequence[Vertex], far: Collection[str]) -> Iterator[Need]:
     """Yield what needs a lens."""
-    joined = _joined(setting, vertices)
+    joined, least = _joined(setting, vertices), _least(setting)
     for (one, first), (other, second) in combinations(enumerate(vertices), 2):
         distance = abs(first.at - second.at)
         is_joined = (one, other) in joined
-        if SAME < distance < (SHORTEST if is_joined else LEAST):
+        if SAME < distance < (SHORTEST if is_joined else least):
             yield Need((one, other), distance, max(first.since, second.since), is_joined)
     for number, vertex in enumerate(vertices):
         if vertex.label in far:

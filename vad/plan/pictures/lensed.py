@@ -97,7 +97,7 @@ class LensedLabels(PlacedLabels):
     led
         The labels of the picture that stand far from their dots.
     faults
-        How many strokes leaders of lenses lie on; a label that is astray counts as two.
+        How many strokes leaders of lenses lie on; each of the labels ``astray`` counts as two.
     fits
         The rank of the first subset for whose lenses there is room.
     forced
@@ -118,12 +118,16 @@ class LensedLabels(PlacedLabels):
         self._rank, self._far, self._most, self._more = rank, far, most, more
         self.close: list[Close] = []
         self.led: frozenset[str] = frozenset()
-        self.fits = self.forced = self.faults = 0
+        self.fits = self.forced = self.faults = self.astray = 0
         self.placed = self.pressing = False
 
     def with_more(self) -> LensedLabels:
         """Return such labels in a drawing with one more lens, at the price of few faults."""
         return LensedLabels(self._rank, self._far, self.faults + PRICE, more=True)
+
+    def is_worse(self, other: LensedLabels) -> bool:
+        """Tell whether more labels have no free place, or are astray."""
+        return self.forced > other.forced or self.astray > other.astray
 
     def vertices(
         self, sketch: Sketch, vertices: Sequence[Vertex], radius: float, near: Sequence[float]
@@ -168,7 +172,8 @@ class LensedLabels(PlacedLabels):
         off = {seen[n].label: distance(spot.box, seen[n].at) for n, spot in placed}
         short = {seen[n].label for n, spot in placed if is_short(spot)}
         self.led = frozenset(label for label, far in off.items() if far > FAR) - short
-        self.faults += FAR_FAULTS * sum(far > ASTRAY for far in off.values())
+        self.astray = sum(far > ASTRAY for far in off.values())
+        self.faults += FAR_FAULTS * self.astray
         for close in sketch.close:
             early = [vertices[n] for n in close.members]
             early = [each for each in early if setting.after(each.since) < close.since]
@@ -188,7 +193,7 @@ def with_lenses(setting: Setting, draw: Draw) -> Sketch:
     if wanted and setting.lenses and setting.panel.picture == "vectors":
         other = LensedLabels(0, labels.led)
         better = _tried(draw, room, other)
-        if better and len(other.led) < len(labels.led) and other.forced <= labels.forced:
+        if better and len(other.led) < len(labels.led) and not other.is_worse(labels):
             sketch, labels = better, other
     return _with_more(setting, draw, sketch, labels, room)
 
@@ -212,7 +217,7 @@ def _with_more(
     for each in rooms:
         other = labels.with_more()
         better = _tried(draw, each, other)
-        if not better or other.faults > labels.faults + PRICE or other.forced > labels.forced:
+        if not better or other.faults > labels.faults + PRICE or other.is_worse(labels):
             continue
         left = untold(setting, better.vertices, better.close)
         if sum(need.is_pressing for need in left) < pressing:
@@ -350,10 +355,7 @@ def subsets(close: Sequence[Close]) -> Iterator[tuple[Close, ...]]:
 
 
 def find_lenses(sketch: Sketch, choices: Sequence[Sequence[Scene]]) -> Found | None:
-    """Return the lenses of the first choice of close places for which there is room.
-
-    Where leaders lie on strokes, it takes the way to place them in which they lie on least.
-    """
+    """Return the lenses of the first choice for which there is room, with the clearest leaders."""
     return _clearest(ways_to_place(sketch, choices, USUAL_SIZES))
 
 
