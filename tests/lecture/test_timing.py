@@ -11,10 +11,9 @@ import pytest
 import vad
 from tests.lecture.durations import MEASURED, first_measured, lesson_of
 from vad.export.lesson_srt import cues
-from vad.lecture.lesson import LessonStep
+from vad.lecture.lesson import Lesson, LessonStep
 from vad.lecture.pace import (
     AFTER_FLIGHT,
-    CLOSING,
     GLIDE,
     LANDED,
     LEAST_REST,
@@ -24,7 +23,7 @@ from vad.lecture.pace import (
     SHEET,
     growth,
 )
-from vad.lecture.telling import beats, told_together
+from vad.lecture.telling import beats, reading, told, told_together
 from vad.strokes.sheet import Arrow, Dot, Fold, Kind, Panel, Sheet, Stroke
 from vad.strokes.travels import travels
 from vad.words import languages, text_of
@@ -62,6 +61,32 @@ def test_how_long_a_stroke_grows(kind: Kind):
     assert growth(Stroke(kind, "a", Dot(0j), ""), longest=1.0) == pytest.approx(long)
 
 
+def check_last(lesson: Lesson) -> None:
+    """Check that the last stroke of each scene is read, and stands, before the panels move.
+
+    At last the answer stands with the whole sheet.
+    """
+    ends = [number for number, step in enumerate(lesson.steps) if step.glide]
+    assert len(ends) == 2
+    for number in (*ends, len(lesson.steps) - 1):
+        step = lesson.steps[number]
+        runs = [run for run in told_together(step.panel) if run[0] <= step.index <= run[1]]
+        ((first, last),) = runs
+        together = lesson.steps[number - (last - first) : number + 1]
+        stands = sum(each.grow + each.hold for each in together) / lesson.fps
+        words = reading(told(step.panel, first, last))
+        assert stands >= words - 0.1, (step.stroke.name, stands, words)
+        said = max(step.grow, *step.beats, 0)
+        assert step.grow + step.hold - said >= 0.75 * lesson.fps, step.stroke.name
+    assert lesson.settle >= 5.0 * lesson.fps
+
+
+def test_a_last_stroke_with_few_words_stands_before_the_panels_move():
+    """What is said of the whole velocity polygon of these takes less than its stroke to draw."""
+    for name in ("hooke-joint", "offset-lever"):
+        check_last(lesson_of(name))
+
+
 @pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("name", MEASURED)
@@ -74,6 +99,7 @@ def test_every_caption_can_be_read_and_no_film_is_much_longer(name: str, languag
         assert len(NUMBER.findall(cue.text)) <= seconds + 0.5, cue
     assert found[-1].text == str(lesson.answer)
     assert lesson.duration <= LONGER * first_measured(name, language)
+    check_last(lesson)
 
 
 @pytest.mark.exhaustive(16)
@@ -110,8 +136,8 @@ def test_the_frames_of_a_lesson_follow_its_pace(fps: float, speed: float):
         assert exact.grow / 240 == pytest.approx(_grows(step.stroke, exact), abs=0.01)
     assert (GLIDE, SETTLE) == (1.0, 0.2)
     assert fine.glide == GLIDE * 240
-    assert fine.settle == SHEET * 240
-    assert CLOSING <= fine.closing / 240 < CLOSING + 6.0
+    assert fine.settle >= SHEET * 240
+    assert fine.closing / 240 < GLIDE + SHEET + 6.0
 
 
 def _grows(drawn: Stroke, step: LessonStep) -> float:
@@ -169,16 +195,6 @@ def test_a_position_in_space_takes_few_steps_and_its_lecture_is_short(name: str,
 def test_with_a_given_acceleration_a_lecture_in_space_is_short_in_the_longest_language(name: str):
     motion = vad.solve(vad.MECHANISMS[name](), angle=300, alpha=20)
     assert vad.animate(vad.draw(motion, language="de")).duration <= 150.0
-
-
-@pytest.mark.parametrize("name", ["slider-crank", "four-bar", "crank-slotted-lever"])
-def test_the_last_value_of_a_panel_stands_before_the_panels_move(name: str):
-    lesson = vad.animate(vad.draw(vad.solve(vad.MECHANISMS[name]())))
-    last = [step for step in lesson.steps if step.glide]
-    assert len(last) == 2
-    for step in last:
-        said = max(step.grow, *step.beats, 0)
-        assert step.grow + step.hold - said >= 0.75 * lesson.fps, step.stroke.name
 
 
 def test_strokes_of_one_caption_are_drawn_while_it_is_read():

@@ -17,9 +17,10 @@ from vad.lecture.moment import Moment, done, drawing, moments
 from vad.lecture.scenes import scene_numbers, scenes
 from vad.painting.film import filmed, redraw
 from vad.painting.painter import shown_marks
-from vad.painting.posed import board_of, posed
-from vad.plan.board import Plan, seen
-from vad.plan.items import Item, together
+from vad.painting.posed import board_of
+from vad.plan.board import Plan, plan, seen
+from vad.plan.format import screen
+from vad.plan.items import CAPTION, Item, together
 from vad.plan.layout import MARGIN
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Lettering
@@ -126,13 +127,18 @@ def test_no_label_of_a_scene_lies_on_another(name: str, size: tuple[int, int]):
 
 @pytest.mark.parametrize("style", ["paper", "chalk"])
 @pytest.mark.parametrize("name", ["slider-crank", "crank-slotted-lever", "hooke-joint"])
-def test_a_film_ends_with_the_still(name: str, style: str):
-    sheet = lesson_of(name).sheet
-    film = vad.animate(sheet, size=(640, 360), style=style, fps=2)
-    still = posed(sheet, (640, 360), style)
-    expected = redraw(still.board, still.moment, still.style)
+def test_a_film_ends_with_the_still_above_the_answer(name: str, style: str):
+    sheet, size = lesson_of(name).sheet, (640, 360)
+    film, look = vad.animate(sheet, size=size, style=style, fps=2), load_style(style)
+    board = plan(sheet, screen(size), look.key, lines=1)
+    expected = redraw(board, Moment(board.finished), look)
     *_, last = filmed(film)
-    assert np.array_equal(last.pixels, expected)
+    lowest = round(size[1] * (1.0 - 0.075))
+    assert np.array_equal(last.pixels[:lowest], expected[:lowest])
+    assert not np.array_equal(last.pixels[lowest:], expected[lowest:])
+    items = board_of(film).at(Moment(board.finished, scene=3.0))
+    texts = [mark.shape for item in items for mark in item.marks if item.region == "3:answer"]
+    assert ["".join(run.text for run in text.runs) for text in texts] == [str(film.answer)]
 
 
 @pytest.mark.parametrize("name", ["slider-crank", "crank-slotted-lever", "jansen-leg", "rssr"])
@@ -143,7 +149,9 @@ def test_a_move_begins_and_ends_where_its_scenes_stand(name: str):
     for number in range(stage.count):
         beat = stage.finished if number == stage.count - 1 else done(counts.index(number + 1))
         for end, before in ((number, False), (number + 1, True)):
-            there = _places([item for item in seen(stage, Moment(beat, scene=end)) if _moves(item)])
+            shown = seen(stage, Moment(beat, scene=end))
+            answered = beat == stage.finished  # the caption goes to its place, too
+            there = _places([i for i in shown if _moves(i) or (answered and i.region == CAPTION)])
             share = end - 1e-9 if before else end + 1e-9
             near = _places([i for i in seen(stage, Moment(beat, scene=share)) if _moves(i)])
             assert len(there) > 20

@@ -19,7 +19,7 @@ from vad.displayed import Displayed
 from vad.errors import InputError, UsageError, quoted
 from vad.lecture.answer import answer
 from vad.lecture.moment import Moment, done, drawing
-from vad.lecture.pace import AFTER_ANSWER, CLOSING, GLIDE, OPENING, SHEET, scripted, times
+from vad.lecture.pace import AFTER_ANSWER, CLOSING, GLIDE, OPENING, SETTLE, SHEET, scripted, times
 from vad.lecture.scenes import is_staged, scene_numbers
 from vad.lecture.script import Script, script_of, step_number
 from vad.lecture.telling import reading, share_caption
@@ -84,8 +84,8 @@ class Lesson(Displayed):
 
     ``opening`` frames show what is drawn first, as it will be (`opens`), and how it fades before it
     is drawn; ``closing`` frames show the finished page with the ``answer`` in words, if it has one.
-    The last of them, where there are scenes, bring the panels to their places in the sheet for
-    ``glide``, and show it for ``settle``.
+    Where there are scenes, they bring the panels to their places in the sheet for ``glide``, and
+    show it for ``settle``.
     ``travels`` says what flies from panel to panel, by the full names of strokes
     (`vad.strokes.travels`); None where nothing does.
     """
@@ -224,11 +224,11 @@ def animate(
         clock = clocks[-1]
     said = answer(sheet)
     said_for = reading(said.pieces) + AFTER_ANSWER if said else 0.0
-    moved = (GLIDE, SHEET) if is_staged(sheet) else (0.0, 0.0)
-    seconds = opening, max(CLOSING, said_for + sum(moved)) / speed, *(m / speed for m in moved)
-    first, last, glide, settle = (round(each * fps) for each in seconds)
-    settle = max(settle, 1) if is_staged(sheet) else 0
-    first, last = max(1, first), max(1, last, glide + settle)
+    moved = (SETTLE, GLIDE, SHEET) if is_staged(sheet) else (CLOSING, 0.0, 0.0)
+    stands, glide, settle = (round(each / speed * fps) for each in moved)
+    stands, last = max(stands, 1), round(max(sum(moved), said_for) / speed * fps)
+    first, last = max(1, round(opening * fps)), max(last, stands + glide + bool(moved[-1]))
+    settle = last - stands - glide if is_staged(sheet) else 0
     return Lesson(sheet, tuple(steps), first, last, fps, size, style, said, glide, settle, flown)
 
 

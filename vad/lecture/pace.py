@@ -49,12 +49,12 @@ SHORT = 0.75  # share of that time for a vector of length zero
 LEAST_REST = 0.5  # after a caption, and before the next one
 GLIDE = 1.0  # the panels of a stage, as they move to their places in the next scene
 SETTLE = 0.2
-#: The least rest before a move, in which a caption is read on, and after the last beat of it.
+#: The least rest before a move, and from the last beat of a caption till then.
 BEFORE_MOVE, AFTER_BEAT = 0.8, 1.2
 #: A found ω or α leaves its caption when its number has stood there for a moment, flies to its link
 #: and bends to an arrow.  Where a scene ends soon, it flies faster.
 READ, RATE, LEAST_RATE, AFTER_RATE = 0.3, 1.6, 0.8, 0.2
-SHEET = 2.0  # the whole sheet, at the end, to look it over
+SHEET = 5.0  # the whole sheet with the answer, at the end, to look it over
 OPENING = 1.0
 CLOSING = 4.0
 AFTER_ANSWER = 0.2
@@ -150,19 +150,21 @@ def times(sheet: Sheet, loop: int, travels: Mapping[str, Travel] | None) -> Iter
     rates = frozenset() if travels is None or not is_staged(sheet) else found_rates(sheet)
     found = {half.name: list(_times_of(half, loop, flown)) for half in sheet.halves}
     scenes = scene_numbers(sheet)
-    for each, scene, after in zip(telling(sheet), scenes, [*scenes[1:], *scenes[-1:]], strict=True):
+    for each, scene, after in zip(telling(sheet), scenes, [*scenes[1:], -1], strict=True):
         own = found[each.half.name][each.number]
         name = each.half.full(each.half.strokes[each.number].name)
         own = replace(own, sends=name in rates)
-        yield _moving(own) if scene != after else own
+        if is_staged(sheet) and scene != after:
+            own = _standing(own)
+            own = own if after < 0 else replace(own, glide=GLIDE, settle=SETTLE)
+        yield own
 
 
-def _moving(own: Times) -> Times:
-    """Return the times of the last stroke of a scene, whose caption stands during the move, too."""
+def _standing(own: Times) -> Times:
+    """Return the times of the last stroke of a scene: it is read and stands before panels move."""
     after = READ + LEAST_RATE + AFTER_RATE if own.sends else AFTER_BEAT
     last = max(own.beats, default=0.0) + after * bool(own.beats)
-    rest = max(own.hold - GLIDE - SETTLE, BEFORE_MOVE, last - own.grow)
-    return replace(own, hold=min(rest, own.hold), glide=GLIDE, settle=SETTLE)
+    return own if own.there else replace(own, hold=max(own.hold, BEFORE_MOVE, last - own.grow))
 
 
 def flights(sheet: Sheet, travels: Mapping[str, Travel]) -> dict[str, float]:

@@ -21,13 +21,19 @@ from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import CAPTION, FLIGHT, TITLE, Item, Level, head_of, in_painting_order
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.layout import MARGIN
+from vad.plan.layout import MARGIN, Page
 from vad.plan.lettering.glyphs import fitted
 from vad.plan.lettering.runs import bold, roman
 from vad.plan.making_way import made_way
 from vad.plan.marks import Lettering, Mark, line
 from vad.plan.moving import Move
-from vad.plan.page.changing import caption_lines, captions, numbers_said
+from vad.plan.page.changing import (
+    caption_lines,
+    captions,
+    lines_at_last,
+    numbers_said,
+    said_at_last,
+)
 from vad.plan.page.chapters import CHAPTERS, chapter_marks
 from vad.plan.page.free_places import box_of
 from vad.plan.page.heads import head, pale, title_marks
@@ -44,6 +50,8 @@ from vad.strokes.travel import Travel
 
 #: The regions in which panels move: between scenes above the caption, at last on the whole page.
 MOVING, LAST_MOVE = "moving", "last move"
+#: The region of the answer below the whole sheet.
+ANSWER = "answer"
 #: The regions that all scenes have in common.
 SHARED = (TITLE, CAPTION, CHAPTERS, FLIGHT)
 SMALL_TITLE, LEAST_SMALL_TITLE = 0.030, 0.020
@@ -75,7 +83,7 @@ class Stage:
         chapters: Sequence[Chapter] = (),
     ) -> None:
         self.sheet, self.form, self._key, self._travels = sheet, form, key, travels
-        self._names = scenes(sheet)
+        self._names, self._answer = scenes(sheet), answer(sheet)
         lines = caption_lines(sheet, form.width - 2 * MARGIN)
         shapes = {panel.name: _shape(panel) for panel in sheet.panels}
         self._layouts = [lay_out_scene(form, shapes, name, lines) for name in self._names]
@@ -91,7 +99,8 @@ class Stage:
         self.regions: dict[str, Rect] = {TITLE: first[TITLE]}
         for number, layout in enumerate(self._layouts):
             self._add(number, layout.regions)
-        self._add(len(self._layouts), self.whole.regions)
+        last = self.whole.regions
+        self._add(len(self._layouts), {**last, ANSWER: last[CAPTION]})
         self.regions[MOVING] = Rect(0.0, low, form.width, top)
         self.regions[LAST_MOVE] = Rect(0.0, 0.0, form.width, top)
         self.regions |= {name: first[name] for name in (CAPTION, CHAPTERS)}
@@ -113,8 +122,9 @@ class Stage:
 
     @cached_property
     def whole(self) -> Plan:
-        """The sheet, as a still shows it."""
-        return plan(self.sheet, self.form, self._key)
+        """The sheet, as a still shows it, above its answer."""
+        lines = lines_at_last(self._answer, self.form.width - 2 * MARGIN)
+        return plan(self.sheet, self.form, self._key, lines=lines)
 
     def at(self, moment: Moment) -> Sequence[Item]:
         """Return the items that show at a moment, in painting order; see `Board`."""
@@ -154,8 +164,14 @@ class Stage:
         return self._layouts[number]
 
     def _last(self) -> Plan:
-        items = (each for each in self.whole.items if each.region not in (TITLE, CAPTION))
-        return replace(self.whole, items=tuple(_in_scene(items, self.count)))
+        items = [*_in_scene((i for i in self.whole.items if i.region != TITLE), self.count)]
+        items += self._answered(self.whole.page)
+        return replace(self.whole, items=tuple(items))
+
+    def _answered(self, page: Page) -> list[Item]:
+        """Return the answer on a page; in the last move, its caption goes to its place."""
+        told = [said_at_last(self._answer, page, self.finished)] if self._answer else []
+        return [replace(each, region=_of(self.count, ANSWER)) for each in told]
 
     def _scene(self, number: int) -> Plan:
         layout, sheet = self._layouts[number], self.sheet
@@ -241,6 +257,8 @@ class Stage:
         """Return the move from a scene to the next one."""
         if (number, beat) not in self._moves:
             before, after = (self.scene(each).shown(beat) for each in (number, number + 1))
+            if number == self.count - 1:
+                before += self._answered(self._layouts[number].page)
             region = LAST_MOVE if number == self.count - 1 else MOVING
             panels = [panel.name for panel in self.sheet.panels]
             area = region, self.regions[region]
@@ -256,7 +274,7 @@ class Stage:
         """Return the captions, which are the same in all scenes."""
         if not self._told:
             page = self._layouts[0].page
-            self._told = list(captions(self.sheet, page, sketches, answer(self.sheet)))
+            self._told = list(captions(self.sheet, page, sketches, self._answer))
         return self._told
 
 

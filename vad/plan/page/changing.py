@@ -170,9 +170,18 @@ def captions(
                     item = Item(name, CAPTION, Level.LABEL, (*marks, count), since, until, words)
                     yield item
     if last:
-        since = finished(len(counted))
-        ((marks, _),) = caption_marks((last.pieces,), 0, page)
-        yield Item("", CAPTION, Level.LABEL, tuple(marks), since)
+        yield said_at_last(last, page, finished(len(counted)))
+
+
+def said_at_last(last: Sentence, page: Page, since: int) -> Item:
+    """Return the caption that is said of the finished page, from a beat on."""
+    ((marks, _),) = caption_marks((last.pieces,), 0, page)
+    return Item("", CAPTION, Level.LABEL, tuple(marks), since)
+
+
+def lines_at_last(last: Sentence | None, room: float) -> int:
+    """Return how many lines the answer takes; none where there is none."""
+    return len(_set(last.pieces, room - _count_room(0))[0]) if last else 0
 
 
 def lights(sketches: Mapping[str, Sketch]) -> Iterator[Item]:
@@ -235,7 +244,7 @@ def figure_of(pieces: Sequence[TextPiece]) -> tuple[int, int]:
 def caption_lines(sheet: Sheet, room: float) -> int:
     """Return how many lines the sheet's longest caption takes, or its answer."""
     counted, last = _counted(sheet), answer(sheet)
-    lines = [len(_set(last.pieces, room - _count_room(0))[0])] if last else []
+    lines = [lines_at_last(last, room)] if last else []
     for panel in sheet.panels:
         for half in panel.halves:
             for first, end in told_together(half):
