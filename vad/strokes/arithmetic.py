@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 #: A factor gets at most so many digits more than the result.  If they are too few, the result gets
 #: one digit more.
 EXTRA_DIGITS = 2
+#: An angle may have so many more if its sine is the factor.  Near 180° it needs them: the relative
+#: error of 179° is 179 times as large in its sine.
+EXTRA_DIGITS_OF_SINES = 4
 #: The significant digits of a number in double precision.
 _ALL = 15
 _EXACT = Context(prec=50)
@@ -220,6 +223,8 @@ class _Typed:
         The number in its sentence.
     key
         The same for all numbers of its size.
+    extra
+        How many digits more than the result it may have.
     number, factor
         The number as it is printed, and that number, or its sine, raised to the power that it has
         in a product.
@@ -230,6 +235,7 @@ class _Typed:
         unit = figure.scale or figure.unit
         self._value, self._unit = notation.scaled(figure.value, unit), notation.unit(unit)
         self._sine = sines and self._unit == DEGREE
+        self.extra = EXTRA_DIGITS_OF_SINES if self._sine else EXTRA_DIGITS
         self.read(0)
 
     def read(self, digits: int) -> None:
@@ -291,7 +297,10 @@ def _to_refine(
         rounded = [each.factor if each is number else each.true for each in operands]
         return abs(_EXACT.subtract(calculate(rounded), result.true))
 
-    most = min(result.count + EXTRA_DIGITS, _ALL)
-    rough = [each for each in operands if each.count < most and not each.exact]
+    rough = [
+        each
+        for each in operands
+        if each.count < min(result.count + each.extra, _ALL) and not each.exact
+    ]
     worst = max(rough, key=error, default=result)
     return worst if worst.count < _ALL else None
