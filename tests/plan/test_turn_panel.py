@@ -7,11 +7,11 @@ import math
 import pytest
 
 import vad
-from tests.plan.turns import LEVER, WHITWORTH, board_of
+from tests.plan.turns import LEG, LEVER, WHITWORTH, board_of
 from vad.files.examples import example_path
-from vad.plan.labels.obstacles import PIXEL
+from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.lettering.glyphs import typeset
-from vad.plan.marks import Lettering, Polyline
+from vad.plan.marks import Bow, Lettering, Polyline
 from vad.plan.reach import corners
 from vad.plan.turn_board import TurnBoard
 from vad.plan.turn_labels import FAR
@@ -24,6 +24,7 @@ CASES = {
     "shaper": LEVER,
     "whitworth-ram": WHITWORTH,
     "swing": vad.FourBar(crank=130),
+    "leg": LEG,
 }
 PHASES = [number / 24 for number in range(24)]
 
@@ -75,6 +76,43 @@ def test_headings_have_one_size_on_a_page_and_values_too(name: str, size: tuple[
             if mark.role in ("words", "term") and isinstance(mark.shape, Lettering)
         }
         assert len(sizes) == 1, (ending, sizes)
+
+
+@pytest.mark.parametrize(
+    "name", ["slider-crank", "four-bar", "whitworth", "rssr", "leg", "swing", "gate-actuator"]
+)
+def test_the_arrow_of_a_constant_omega_stands_where_no_link_meets_its_name(name: str):
+    here = board(name)
+    arrows = [m.shape for item in here.unmoved for m in item.marks if m.role == "sense"]
+    if name in ("swing", "gate-actuator"):  # whose driver has no constant ω
+        assert not arrows
+        return
+    (arrow,) = arrows
+    assert isinstance(arrow, Bow)
+    still = here.panels["position"].picture.still
+    assert arrow.sweep * still.setting.sheet.driver.omega > 0.0
+    (box,) = (tag.box for tag in still.tags if tag.text == "ω₂")
+    assert abs(arrow.centre - box.centre) < arrow.radius + 0.06
+    for phase in PHASES:
+        pose = here.panels["position"].picture.pose(here.turn.at(phase).panel("position"))
+        moving = [line for line in pose.obstacles.lines if line not in still.obstacles.lines]
+        free = Obstacles(still.setting.room, moving).free([box.centre], box.width, box.height, 0.0)
+        assert free.all(), phase
+
+
+def test_no_letter_stands_on_the_ground_on_which_a_foot_walks():
+    here = board("leg")
+    panel = here.panels["position"]
+    ground = Obstacles(panel.room)
+    for item in here.unmoved:
+        for mark in item.marks if not item.stroke else ():  # no pivot's
+            if mark.role == "hatching" and isinstance(mark.shape, Polyline):
+                for piece in mark.shape.pieces:
+                    ground.line(piece, 0.0)
+    assert len(ground.lines) > 10
+    for phase in PHASES:
+        for label, placed in panel.labels.at(here.turn.at(phase).panel("position"), phase):
+            assert ground.free([placed.centre], placed.wide, placed.high, 0.0).all(), label.text
 
 
 def test_a_leader_begins_beside_its_letters():

@@ -69,7 +69,10 @@ class TurnBoard:
         # Nobody could follow units that change from pose to pose.
         metres = any(pose.notation.metres for pose in poses)
         notation = Notation(poses[0].notation.point, metres)
-        self.sheet = sheet = replace(poses[0], notation=notation)
+        sheet = replace(poses[0], notation=notation)
+        if turn.course.swing:  # then it has no one rate
+            sheet = replace(sheet, driver=replace(sheet.driver, rate=0.0))
+        self.sheet = sheet
         names = [panel.name for panel in sheet.panels]
         layout = lay_out_turn(self.form, names)
         self.page = layout.page

@@ -27,6 +27,7 @@ from vad.plan.pictures.polygon import Polygon, principal
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turn_labels import TurnLabels, grouped
 from vad.plan.turn_lens import TurnLens, find_lens, with_lens
+from vad.plan.turn_sense import add_standing_sense
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Spot
 from vad.strokes.sheet import Arrow, Block, Dot, Panel
 from vad.words import Language
@@ -88,11 +89,17 @@ class TurnPanel:
         self._stance = self._stands(cycle, is_place)
         self._faint = _unconcerned(setting, cycle) if is_place else frozenset()
         groups = grouped(self.hodographs, self.ways)
+        sketches = [self.picture.pose(pose) for pose in poses]
+        ground = (mark for mark in self._stance if mark.role == "hatching")
+        for piece in (piece for mark in ground for piece in mark.shape.pieces):  # type: ignore[union-attr]
+            for sketch in (self.picture.still, *sketches):
+                sketch.obstacles.line(piece, 0.0)
+        add_standing_sense(self.picture.still, poses, sketches, self._lines())
         self.lens: TurnLens | None = None
         if found and isinstance(self.picture, Polygon):
             self.lens = with_lens(self.picture, found, self.hodographs, poses, groups, opening)
         self.labels = TurnLabels(setting, self.scale, self.hodographs, opening, self._inside)
-        self.labels.place(groups, poses, self._crowd(poses))
+        self.labels.place(groups, poses, self._crowd(sketches))
 
     def still(self) -> list[Item]:
         """Return the items that are the same in all poses."""
@@ -162,19 +169,22 @@ class TurnPanel:
             Lettering(runs, complex(room.left, room.top + HEIGHT - BASELINE), size), "notes"
         )
 
-    def _crowd(self, poses: Sequence[Panel]) -> Ballast:
-        """Return what labels keep clear of in all poses."""
-        sketches = [self.picture.pose(pose) for pose in poses]
+    def _lines(self) -> Obstacles:
+        """Return the paths that are drawn, as strokes."""
         ways = Obstacles(self.room)
         for mark in [*self.hodographs.still(self._whole), *self._stance]:
             for piece in mark.shape.pieces:  # type: ignore[union-attr]
                 ways.line(piece, 0.0)
+        return ways
+
+    def _crowd(self, sketches: Sequence[Sketch]) -> Ballast:
+        """Return what labels keep clear of in all poses."""
         obstacles = [sketch.obstacles for sketch in sketches]
         if self.lens:
             for number, each in enumerate(obstacles):
-                self.lens.block(each, number / len(poses))
+                self.lens.block(each, number / len(obstacles))
         crowd = Crowd(self.room, obstacles)
-        return Ballast(self.room, crowd, Crowd(self.room, [ways]), self.picture.radius)
+        return Ballast(self.room, crowd, Crowd(self.room, [self._lines()]), self.picture.radius)
 
 
 def _ground(way: Complexes) -> list[Mark]:
