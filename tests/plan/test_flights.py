@@ -21,6 +21,7 @@ from vad.lecture.pace import LANDED, PHASES
 from vad.page.parts import page_plan
 from vad.plan.format import screen
 from vad.plan.items import FLIGHT, Item, Level
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Flying, Leg, Mark, Polyline, Turning
 from vad.plan.pictures.flights import ARCHES, EDGE, SEEN, SMALL, Flight
 from vad.plan.pictures.lifts import LIFT, beside, others
@@ -390,7 +391,9 @@ def test_a_flight_bends_to_the_side_on_which_it_crosses_less():
     assert crossings((0j, 1 - 1j, 2 + 0j), fence) == 0
     _, sheet = moving("slotted lever with ram")
     board, found = filmed(sheet), 0
-    edges = board.regions[FLIGHT], [each.setting.room for each in board.sketches.values()]
+    page = board.regions[FLIGHT]
+    rooms = [each.setting.room for each in board.sketches.values()]
+    edges = page, rooms, Obstacles(page)
     own = {name: Flight.of(name, t, board.sketches, edges) for name, t in travels(sheet).items()}
     for _, item, _ in shafts(board):
         flight = own[item.stroke]
@@ -463,7 +466,7 @@ def test_a_copy_stays_beside_its_source_until_it_flies(name):
     """It turns and is stretched where it has lifted off: at the end of its link, if it slides."""
     sheet = moving(name)[1]
     stage = Stage(sheet, screen((1280, 720)), KEY, travels(sheet))
-    edges = stage.regions[FLIGHT].inside(EDGE), []
+    edges = stage.regions[FLIGHT].inside(EDGE), [], Obstacles(stage.regions[FLIGHT])
     for number in range(1, stage.count):
         scene = stage.scene(number)
         for travel, item, shaft in large_shafts(stage, number):

@@ -16,6 +16,7 @@ from vad.page.ink import Inker
 from vad.page.large import Large
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect, direction_of
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.pictures.flights import Flight
 from vad.plan.pictures.traces import RING, path, ring
 from vad.plan.sketch import Sketch
@@ -38,7 +39,7 @@ def page_flights(
     page = Rect(0.0, 0.0, board.form.width, board.form.height)
     found = {}
     for name, travel in (lesson.travels or {}).items():
-        flight = Flight.of(name, travel, board.sketches, (page, [page]))
+        flight = Flight.of(name, travel, board.sketches, (page, [page], Obstacles(page)))
         if flight is None:
             continue
         number, panel = numbers[name], flight.polygon.setting.panel

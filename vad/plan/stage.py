@@ -207,15 +207,16 @@ class Stage:
         return Plan(sheet, self.form, page, regions, tuple(ordered), sketches, dimmed, turns)
 
     def _words(self, items: Iterable[Item]) -> Obstacles:
-        """Return the words beside the panels, which flights avoid, within the room of flights.
+        """Return words and scale bars beside the panels, which flights avoid, within their room.
 
         That is above the caption, which is read meanwhile.
         """
         low = self.regions[CAPTION].top
         words = Obstacles(Rect(0.0, low, self.form.width, self.form.height))
         for item in items:
-            for mark in (mark for mark in item.marks if isinstance(mark.shape, Lettering)):
-                words.box(box_of(replace(mark, growth=None)), (item.since, item.until))
+            for mark in item.marks:
+                if isinstance(mark.shape, Lettering) or mark.role == "scale bar":
+                    words.box(box_of(replace(mark, growth=None)), (item.since, item.until))
         return words
 
     def _placed(self, panel: Panel, drawing: Rect, layout: SceneLayout) -> dict[str, Sketch]:

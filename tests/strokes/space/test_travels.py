@@ -12,8 +12,10 @@ import vad
 from tests.plan.overlaps import KEY
 from tests.plan.test_flights import ends, flights, near
 from vad.plan.format import screen
-from vad.plan.items import FLIGHT
+from vad.plan.items import FLIGHT, Level
+from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Flying
+from vad.plan.page.free_places import box_of
 from vad.plan.pictures.flights import EDGE, SHORTEST_FLIGHT, Flight
 from vad.plan.stage import Stage
 from vad.strokes.travels import travels
@@ -144,7 +146,7 @@ def test_no_travel_is_without_its_source():
 def test_a_copy_that_turns_stays_where_it_is_and_is_smaller_at_an_edge():
     sheet = vad.draw(vad.solve(vad.SpatialFourBar()))
     stage = Stage(sheet, screen((1280, 720)), KEY, travels(sheet))
-    edges = stage.regions[FLIGHT].inside(EDGE), []
+    edges = stage.regions[FLIGHT].inside(EDGE), [], Obstacles(stage.regions[FLIGHT])
     (item,) = (each for each in flights(stage.scene(1)) if each.stroke == "velocity.below:ay")
     flight = Flight.of(item.stroke, travels(sheet)[item.stroke], stage.scene(1).sketches, edges)
     (shaft,) = (m for m in item.marks if m.role == "vector" and isinstance(m.growth, Flying))
@@ -152,3 +154,22 @@ def test_a_copy_that_turns_stays_where_it_is_and_is_smaller_at_an_edge():
     assert abs(turned - tail) < 0.01
     begun = ends(shaft, 0.0)
     assert abs(neck - tail) < 0.8 * abs(begun[1] - begun[0])
+
+
+def test_a_copy_that_turns_lies_on_no_heading():
+    sheet = vad.draw(vad.solve(vad.SpatialFourBar()))
+    stage = Stage(sheet, screen((1280, 720)), KEY, travels(sheet))
+    scene = stage.scene(2)
+    (item,) = (each for each in flights(scene) if each.stroke == "acceleration.below:dz")
+    shaft = next(m for m in item.marks if m.role == "vector" and isinstance(m.growth, Flying))
+    words = [
+        box_of(mark)
+        for each in scene.shown(item.since)
+        for mark in each.marks
+        if mark.role in ("words", "notes", "scale bar") and each.level != Level.LENS
+    ]
+    assert len(words) > 8
+    for share in np.linspace(0.0, 1.0, 50):
+        tail, head = ends(shaft, float(share))
+        places = [tail + part / 40 * (head - tail) for part in range(41)]
+        assert not any(box.holds(z) for box in words for z in places), share

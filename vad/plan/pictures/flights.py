@@ -22,7 +22,7 @@ from vad.plan.geometry import SHORTEST, Rect, direction_of
 from vad.plan.items import FLIGHT, Item, Level, Span
 from vad.plan.labels.obstacles import Complexes, Obstacles
 from vad.plan.marks import Flying, Growth, Leg, Mark, Polygon, Polyline, Turning, line
-from vad.plan.pictures.lifts import LIFT, beside
+from vad.plan.pictures.lifts import LIFT, arched, beside, between_legs
 from vad.plan.pictures.traces import crossings, ghosts, path, ring, strokes_at, swept
 from vad.plan.pictures.vectors import HEAD, HEAD_SHARE, HEAD_WHOLE, ends_first
 from vad.plan.reach import corners
@@ -133,7 +133,7 @@ def travelling(
     within the edge of all flights.
     """
     rooms = [sketch.setting.room for sketch in sketches.values()]
-    edges = words.edge.inside(EDGE), rooms
+    edges = words.edge.inside(EDGE), rooms, words
     flights = (Flight.of(name, travel, sketches, edges) for name, travel in travels.items())
     own = {flight.stroke: flight for flight in flights if flight}
     strokes = {each: strokes_at(sketches.values(), flight.span) for each, flight in own.items()}
@@ -149,7 +149,7 @@ def travelling(
             continue
         flies = [mark for mark in item.marks if flight.carries(mark, item)]
         if flies:
-            found.append(flight.item(flies, strokes[flight.stroke], words))
+            found.append(flight.item(flies, strokes[flight.stroke]))
         found.append(flight.landed(item))
     return found
 
@@ -176,6 +176,8 @@ class Flight:
         About what it turns and swells: where the tail that is seen lands.
     page, rooms
         In which it stays; the rooms of all panels, over which it is stretched.
+    words
+        The words beside the panels.
     grows_last
         Whether it flies before it is stretched: an image that is small so long, and a vector that
         would be longer than the panel that it leaves, lie upon what stands beside the panels, or
@@ -192,6 +194,7 @@ class Flight:
     centre: complex
     page: Rect
     rooms: Sequence[Rect]
+    words: Obstacles
     grows_last: bool = False
 
     @classmethod
@@ -200,7 +203,7 @@ class Flight:
         stroke: str,
         travel: Travel,
         sketches: Mapping[str, Sketch],
-        edges: tuple[Rect, Sequence[Rect]],
+        edges: tuple[Rect, Sequence[Rect], Obstacles],
     ) -> Flight | None:
         """Return a travel on the page; None if its source is no more than a point there."""
         panel, _, name = stroke.partition(":")
@@ -275,9 +278,19 @@ class Flight:
         """Tell whether a vector has room over panels when it is stretched beside its source."""
         tail, head, *_ = self.ends(self.stretched)
         points = [tail + part / COVERED * (head - tail) for part in range(COVERED + 1)]
-        return all(any(room.holds(z, OUTSIDE) for room in self.rooms) for z in points) and all(
-            map(self.page.holds, points)
-        )
+        inside = all(any(room.holds(z, OUTSIDE) for room in self.rooms) for z in points)
+        return inside and all(map(self.page.holds, points)) and not self.met(self.stretched)
+
+    def met(self, *legs: Leg) -> int:
+        """Return how many words are met by what flies, from the first leg to the last."""
+        parts = [part / PARTS for part in range(PARTS + 1)]
+        ways = [between_legs(legs[0], legs[-1], part, 0j) for part in parts]
+        return swept([*zip(*map(self.ends, ways), strict=True)], self.boxes)
+
+    @property
+    def boxes(self) -> list[Rect]:
+        """The words beside the panels while it flies."""
+        return [box for box, _ in self.words.during(self.span).boxes]
 
     def landed(self, item: Item) -> Item:
         """Return an item of the stroke that shows from the end of the flight on, if it grew."""
@@ -299,7 +312,7 @@ class Flight:
             if marks := tuple(sketch.lights.get(travel.by or "", ())):
                 yield Item(self.stroke, sketch.setting.panel.column, Level.GLOW, marks, *span)
 
-    def item(self, marks: Sequence[Mark], strokes: Complexes, words: Obstacles) -> Item:
+    def item(self, marks: Sequence[Mark], strokes: Complexes) -> Item:
         """Return marks of the polygon on their way, with the traces that they leave."""
         moving: list[Mark] = []
         traces: list[Mark] = []
@@ -313,7 +326,7 @@ class Flight:
                     own = abs(tip - (left + right) / 2)
                 case Polygon(rings):
                     edges.append(line((*rings[0], rings[0][0]), "whole", marks[0].row))
-        legs = self.clearest(strokes, words)
+        legs = self.clearest(strokes)
         flying = Flying(centre, tuple(legs))
         if tip is not None:
             full, length = own / HEAD_SHARE, abs(tip - centre)
@@ -336,9 +349,9 @@ class Flight:
         seconds = self.seconds
         return [smooth(end / (sum(seconds) + LANDED)) for end in accumulate(seconds)]
 
-    def clearest(self, strokes: Complexes, words: Obstacles) -> list[Leg]:
+    def clearest(self, strokes: Complexes) -> list[Leg]:
         """Return the legs of the flight that crosses the fewest words, and then strokes."""
-        boxes = [box for box, _ in words.during(self.span).boxes]
+        boxes = self.boxes
         found: list[tuple[int, int, list[Leg]]] = []
         for side in (side for arch in ARCHES for side in (arch, -arch)):
             legs = list(self.legs(side))
@@ -436,12 +449,14 @@ class Flight:
         return ((end - self.centre) * along.conjugate()).real * along
 
     def turning(self, stretched: Leg) -> float:
-        """Return how large a copy is while it turns: smaller where it would leave the page."""
+        """Return how large a copy is while it turns: smaller to stay on the page, off words."""
         if not self.is_vector:
             return self.seen
 
-        def off(size: float) -> float:
-            return round(abs(self.outside(self.page, stretched._replace(factor=size))), 6)
+        def off(size: float) -> tuple[float, int]:
+            turned = stretched._replace(factor=size)
+            outside = round(abs(self.outside(self.page, turned)), 6)
+            return outside, self.met(turned._replace(degrees=-self.travel.turn), turned)
 
         return min((share * self.seen for share in SMALLER), key=off)
 
@@ -476,19 +491,3 @@ def _tails(item: Item) -> Iterator[complex]:
     for mark in item.marks if item.level == Level.STROKE else ():
         if mark.role in ("vector", "whole") and isinstance(mark.shape, Polyline):
             yield mark.shape.pieces[0][0]
-
-
-def arched(share: float) -> float:
-    """Return how high an arch is at a share of its way, of its height in the middle."""
-    return 4.0 * share * (1.0 - share)
-
-
-def between_legs(one: Leg, other: Leg, share: float, high: complex) -> Leg:
-    """Return where what flies is between two legs, on a way that rises so ``high``."""
-    offset = one.offset + share * (other.offset - one.offset) + arched(share) * high
-    return Leg(
-        0.0,
-        offset,
-        one.factor + share * (other.factor - one.factor),
-        one.degrees + share * (other.degrees - one.degrees),
-    )

@@ -1,4 +1,7 @@
-"""On which side of its link a copy lifts off, and how far: it stays beside its own link."""
+"""On which side of its link a copy lifts off, and how far: it stays beside its own link.
+
+From there it goes on from leg to leg.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from vad.plan.labels.obstacles import Complexes, Reals
+from vad.plan.marks import Leg
 from vad.plan.pictures.sense_places import Bar, distances
 from vad.plan.sketch import Sketch
 from vad.strokes.sheet import Arrow, Curve, Dot, Plate
@@ -65,3 +69,19 @@ def others(figure: Sketch, tail: complex, head: complex) -> Iterator[Bar]:
             ends = scale(start), scale(end)
             if not own.issuperset(ends):
                 yield ends
+
+
+def arched(share: float) -> float:
+    """Return how high an arch is at a share of its way, of its height in the middle."""
+    return 4.0 * share * (1.0 - share)
+
+
+def between_legs(one: Leg, other: Leg, share: float, high: complex) -> Leg:
+    """Return where what flies is between two legs, on a way that rises so ``high``."""
+    offset = one.offset + share * (other.offset - one.offset) + arched(share) * high
+    return Leg(
+        0.0,
+        offset,
+        one.factor + share * (other.factor - one.factor),
+        one.degrees + share * (other.degrees - one.degrees),
+    )
