@@ -79,6 +79,8 @@ def select_vector(condition: Number, rare: Number, usual: Number) -> Number:
 
 def nonzero(value: Number) -> Number:
     """Return a divisor: NaN where it is zero, so that no quotient is infinite."""
+    if is_array(value):
+        return np.where(value == 0.0, math.nan, value)
     return select(value == 0.0, math.nan, value)
 
 

@@ -152,8 +152,11 @@ def share_caption(strokes: Sequence[Stroke], number: int) -> bool:
 
 
 def _is_begin(panel: Panel, number: int) -> bool:
-    """Tell whether a loop begins with a stroke, or what is drawn after all that is there."""
-    return number == panel.given or number in panel.loops
+    """Tell whether a loop after the first begins, or what is drawn after all that is there.
+
+    The pole may be told together with the first vector.
+    """
+    return number == panel.given or number in panel.loops[1:]
 
 
 def _are_pair(strokes: Sequence[Stroke], pairs: set[tuple[str, str]]) -> bool:

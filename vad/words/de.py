@@ -211,6 +211,7 @@ PHRASES = {
     "crossing": "{letter} ist der Schnittpunkt der Geraden.",
     "crossing zero": "{letter} ist der Schnittpunkt der Geraden: {found}.",
     "lines and crossing": "{one}; {other}. {crossing}",
+    "lines that cross": "{one}; {other}. Sie schneiden sich in {crossing}.",
     "line and crossing": "{one}. {crossing}",
     "line alone": "{one}.",
     "zero": "bei {point}, also ist {symbol} null",
@@ -367,12 +368,8 @@ PHRASES = {
     "bodies remark": (
         "Dreieck 1 2 4 in der Gestellebene; 2 3 4 in der Koppelebene, ins Blatt umgeklappt"
     ),
-    "bodies pole velocity": "Der Pol: das Gestell, 1, dreht sich nicht.",
-    "bodies pole acceleration": "Der Pol: das Gestell, 1′.",
-    "bodies pole acceleration steady": (
-        "Der Pol: das Gestell, 1′, und 2′, denn *α₂* = {value} ist gegeben."
-    ),
-    "bodies given": "{symbol} = {value} {unit}, längs {axis}.",
+    "bodies pole": "Pol ist das Gestell, {frame}; {symbol} = {value} {unit}, längs {axis}.",
+    "bodies pole steady": ("Der Pol: das Gestell, 1′, und 2′, denn *α₂* = {value} ist gegeben."),
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, von {tail} nach {head}.",
     "bodies turned frame": (
@@ -387,10 +384,8 @@ PHRASES = {
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, mit *τ̇* = "
         "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ*."
     ),
-    "bodies line 24 velocity": (
-        "∥ *OI* durch {point}, denn um *OI* dreht sich die Schwinge relativ zur Kurbel"
-    ),
-    "bodies line 14 velocity": "∥ *OD* durch {point}, denn sie dreht sich um *OD*",
+    "bodies line 24 velocity": "∥ *OI* durch {point}, Achse der Schwinge relativ zur Kurbel",
+    "bodies line 14 velocity": "∥ *OD* durch {point}, ihre Achse im Gestell",
     "bodies line 23 velocity": (
         "∥ *OB* durch {point}, {arc}° von *OI*, Achse der Koppel an der Kurbel"
     ),
@@ -776,8 +771,8 @@ PHRASES = {
         "auf ihr."
     ),
     "spatial directions": (
-        "*OA* bis *OD* sind ∥ den Achsen, wie im sphärischen Viergelenk: Bogen *BC* trifft "
-        "*AD* in *I*, *τ* = {tau}° von *OA*, unter *δ* = {delta}°; *IB* = {ib}°."
+        "*OA* bis *OD* ∥ den Achsen, wie im sphärischen Viergelenk: die Ebenen *AOD*, *BOC* "
+        "schneiden sich in *OI* unter *δ* = {delta}°, *τ* = {tau}° von *OA*, *IB* = {ib}° von *OB*."
     ),
     "spatial slides": (
         "Drei Längen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
@@ -787,20 +782,23 @@ PHRASES = {
         "{theta}°."
     ),
     "spatial H": (
-        "Gegen die Kurbel dreht sich die Schwinge um *I* ∥ *OI* und gleitet längs *I*, das *AD* "
-        "in *H* trifft: *AH* = {height} {unit}."
+        "Gegen die Kurbel dreht sich die Schwinge um *I* ∥ *OI* und gleitet längs *I*, ⟂ *BC* und "
+        "in *H* ⟂ *AD*: *AH* = {height} {unit}."
     ),
     # die unteren Polygone
     "spatial pole velocity": (
-        "Unten ist *a₄* *A* an der Schwinge, über *y* und *z* gefunden; *a*, *d* fest."
+        "Unten, längs *DA* gesehen: *A* als Punkt der Schwinge, Geschwindigkeit *aa₄*."
     ),
-    "spatial pole acceleration": "Wieder *a′₄*, *A* an der Schwinge.",
+    "spatial pole acceleration": (
+        "Wieder *A* an der Schwinge: *ay*, *ya₄* drehen sich mit *OI* und ändern ihre Länge."
+    ),
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich um *I*."
     ),
+    "spatial turned": "{label} = *aa₄*·*τ̇* = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*; *AH* "
-        "wächst mit *ḣ*, dem Dualteil von *τ̇*."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* = {sum} = {value} {unit}, ⟂ *OI*; *AH* wächst mit *ḣ* = "
+        "{rising} {pace}."
     ),
     "spatial about D velocity": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* dreht sich "

@@ -219,6 +219,7 @@ PHRASES = {
     "crossing": "{letter} is where both lines cross.",
     "crossing zero": "{letter} is where both lines cross: {found}.",
     "lines and crossing": "{one}; {other}. {crossing}",
+    "lines that cross": "{one}; {other}. They cross at {crossing}.",
     "line and crossing": "{one}. {crossing}",
     "line alone": "{one}.",
     "zero": "at {point}, so {symbol} is zero",
@@ -367,12 +368,8 @@ PHRASES = {
         "Triangle 1 2 4 in the plane of the frame; 2 3 4 in that of the coupler, turned into "
         "the paper"
     ),
-    "bodies pole velocity": "The pole: the frame, 1, does not turn.",
-    "bodies pole acceleration": "The pole: the frame, 1′.",
-    "bodies pole acceleration steady": (
-        "The pole: the frame, 1′, and 2′, as *α₂* = {value} is given."
-    ),
-    "bodies given": "{symbol} = {value} {unit}, along {axis}.",
+    "bodies pole": "The pole is the frame, {frame}; {symbol} = {value} {unit}, along {axis}.",
+    "bodies pole steady": ("The pole: the frame, 1′, and 2′, as *α₂* = {value} is given."),
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, from {tail} to {head}.",
     "bodies turned frame": (
@@ -745,8 +742,8 @@ PHRASES = {
         "The axis at *B* is ⟂ *AB*, {twist}° from that at *A*; on it the coupler turns and slides."
     ),
     "spatial directions": (
-        "*OA* to *OD* are ∥ the axes, as in the spherical four-bar: the arc *BC* meets *AD* at "
-        "*I*, *τ* = {tau}° from *OA*, under *δ* = {delta}°; *IB* = {ib}°."
+        "*OA* to *OD* are ∥ the axes, as in the spherical four-bar: the planes *AOD*, *BOC* meet "
+        "in *OI* at *δ* = {delta}°, *τ* = {tau}° from *OA*, *IB* = {ib}° from *OB*."
     ),
     "spatial slides": "Three slides close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}.",
     "spatial bars": (
@@ -754,21 +751,23 @@ PHRASES = {
         "{theta}°."
     ),
     "spatial H": (
-        "Relative to the crank the rocker turns about *I* ∥ *OI* and slides along *I*, which "
-        "crosses *AD* at *H*: *AH* = {height} {unit}."
+        "Relative to the crank the rocker turns about *I* ∥ *OI* and slides along it; *I* is ⟂ "
+        "*BC* and, at *H*, ⟂ *AD*: *AH* = {height} {unit}."
     ),
     # the lower polygons
     "spatial pole velocity": (
-        "Below, *a₄* is *A* as a point of the rocker, found over *y* and *z*; *a* and *d* are "
-        "fixed."
+        "Below, seen along *DA*: *A* as a point of the rocker, with the velocity *aa₄*."
     ),
-    "spatial pole acceleration": "Again *a′₄*, *A* as a point of the rocker.",
+    "spatial pole acceleration": (
+        "Again *A* on the rocker: *ay* and *ya₄* turn with *OI* and change length."
+    ),
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I*."
     ),
+    "spatial turned": "{label} = *aa₄*·*τ̇* = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI*; *AH* "
-        "grows at *ḣ*, the dual part of *τ̇*."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* = {sum} = {value} {unit}, ⟂ *OI*; *AH* grows at *ḣ* = "
+        "{rising} {pace}."
     ),
     "spatial about D velocity": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* turns about "

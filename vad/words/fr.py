@@ -222,6 +222,7 @@ PHRASES = {
     "crossing": "{letter} est à l’intersection des deux droites.",
     "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
     "lines and crossing": "{one} ; {other}. {crossing}",
+    "lines that cross": "{one} ; {other}. Elles se coupent en {crossing}.",
     "line and crossing": "{one}. {crossing}",
     "line alone": "{one}.",
     "zero": "en {point}, donc {symbol} vaut zéro",
@@ -375,12 +376,8 @@ PHRASES = {
     "bodies remark": (
         "Triangle 1 2 4 dans le plan du bâti ; 2 3 4 dans celui de la bielle, rabattu"
     ),
-    "bodies pole velocity": "Le pôle : le bâti, 1, ne tourne pas.",
-    "bodies pole acceleration": "Le pôle : le bâti, 1′.",
-    "bodies pole acceleration steady": (
-        "Le pôle : le bâti, 1′, et 2′, car *α₂* = {value} est donné."
-    ),
-    "bodies given": "{symbol} = {value} {unit}, suivant {axis}.",
+    "bodies pole": "Le pôle est le bâti, {frame} ; {symbol} = {value} {unit}, suivant {axis}.",
+    "bodies pole steady": ("Le pôle : le bâti, 1′, et 2′, car *α₂* = {value} est donné."),
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, de {tail} à {head}.",
     "bodies turned frame": (
@@ -773,8 +770,8 @@ PHRASES = {
         "L’axe en *B* est ⟂ *AB*, à {twist}° de celui en *A* ; la bielle y tourne et y glisse."
     ),
     "spatial directions": (
-        "*OA* à *OD* sont ∥ les axes, comme au quadrilatère sphérique : l’arc *BC* coupe "
-        "*AD* en *I*, à *τ* = {tau}° de *OA*, sous *δ* = {delta}° ; *IB* = {ib}°."
+        "*OA* à *OD* sont ∥ les axes, comme au quadrilatère sphérique : les plans *AOD*, *BOC* se "
+        "coupent en *OI* sous *δ* = {delta}°, à *τ* = {tau}° de *OA*, *IB* = {ib}° de *OB*."
     ),
     "spatial slides": (
         "Trois longueurs ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
@@ -784,22 +781,24 @@ PHRASES = {
         "{theta}°."
     ),
     "spatial H": (
-        "Par rapport à la manivelle, le balancier tourne autour de *I* ∥ *OI* et glisse suivant "
-        "*I*, qui coupe *AD* en *H* : *AH* = {height} {unit}."
+        "Par rapport à la manivelle, le balancier tourne autour de *I* ∥ *OI* et y glisse ; *I* "
+        "est ⟂ *BC* et, en *H*, ⟂ *AD* : *AH* = {height} {unit}."
     ),
     # les polygones du bas
     "spatial pole velocity": (
-        "En bas, *a₄* est *A* comme point du balancier, trouvé par *y* et *z* ; *a*, *d* sont "
-        "fixes."
+        "En bas, vu suivant *DA* : *A* comme point du balancier, de vitesse *aa₄*."
     ),
-    "spatial pole acceleration": "Encore *a′₄*, *A* comme point du balancier.",
+    "spatial pole acceleration": (
+        "Encore *A* sur le balancier : *ay* et *ya₄* tournent avec *OI* et changent de longueur."
+    ),
     "spatial about I velocity": (
         "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI* : *A* tourne autour de "
         "*I*."
     ),
+    "spatial turned": "{label} = *aa₄*·*τ̇* = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* + *v₄₂*·*τ̇* = {sum} = {value} {unit}, ⟂ *OI* ; *AH* "
-        "croît de *ḣ*, partie duale de *τ̇*."
+        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* = {sum} = {value} {unit}, ⟂ *OI* ; *AH* croît de *ḣ* = "
+        "{rising} {pace}."
     ),
     "spatial about D velocity": (
         "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : *A* tourne "

@@ -61,9 +61,13 @@ def test_the_rate_at_which_oi_turns_is_a_part_of_the_coupler_s_over_a_sine(
 
 @pytest.mark.parametrize("name", KINDS)
 def test_a_caption_names_2_at_the_pole_only_where_it_lies_there(name: str) -> None:
-    for alpha, text in ((0.0, "1′, and 2′, as α₂ = 0 is given."), (20.0, "1′.")):
-        (pole,) = said(scene(name, angle=60.0, alpha=alpha), "pole acceleration")[:1]
-        assert str(pole) == f"The pole: the frame, {text}"
+    axis = "shaft 2" if name == "hooke-joint" else "OA"
+    for alpha, text in (
+        (0.0, "The pole: the frame, 1′, and 2′, as α₂ = 0 is given."),
+        (20.0, f"The pole is the frame, 1′; α₂ = 20 rad/s², along {axis}."),
+    ):
+        poles = said(scene(name, angle=60.0, alpha=alpha), "bodies pole")
+        assert [str(each) for each in poles] == [text] * (2 if alpha else 1)
         drawn = vad.draw(vad.solve(vad.MECHANISMS[name](), angle=60.0, alpha=alpha))
         dot = drawn.panel("acceleration").strokes[0]
         assert ("2′" in dot.label.split(",")) == (not alpha)

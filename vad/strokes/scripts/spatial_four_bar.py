@@ -77,7 +77,7 @@ class Script(SlidingScript):
         reach = max((high - low).real, (high - low).imag)
         top = high.imag + (ABOVE + RAY) * reach
         star = vector(low.real + RAY * reach, top)
-        aside = high.real - 1.5 * ROSE * reach
+        aside = high.real - ROSE * reach
         rose, other = (vector(aside, top + by * ROSES * reach) for by in (0.5, -0.5))
 
         def axis(point: str, way: str) -> Curve:
@@ -110,8 +110,9 @@ class Script(SlidingScript):
         for letter, way, row in (("A", a, "crank"), ("D", d, "rocker")):
             known(f"star.{letter}", Curve((star, sphere.point(way))), row, f"O{letter}")
         begin = bearing(at["true A"])
-        crossing("B.sphere", Dot(sphere.point(b)), "crank", "B")
-        crossing("C.sphere", Dot(sphere.point(c)), "rocker", "C")
+        for letter, way, row in (("B", b, "crank"), ("C", c, "rocker")):
+            construction(f"star.{letter}", Curve((sphere.point(way), star)), row, f"O{letter}")
+            crossing(f"{letter}.sphere", Dot(sphere.point(way)), row)
         start = minimum(0.0, from_b)
         sweep = not_below(0.0, from_b + self.sizes["coupler_twist"]) - start
         great = sphere.circle(ORIGIN, bodies.axis.i, bodies.axis.j, start, sweep)

@@ -17,8 +17,8 @@ import numpy as np
 
 from vad.kinematics.numbers import bearing, plane
 from vad.kinematics.space.instant_axis import AxisVelocity, InstantAxis, Turns, Z
-from vad.kinematics.space.numbers import Vector3, dot, dual, real
-from vad.kinematics.space.solver import AxesSolver, reals
+from vad.kinematics.space.numbers import Vector3, dot, real
+from vad.kinematics.space.solver import AxesSolver
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Order
 from vad.strokes.space.layout import over_its_range
 from vad.strokes.space.scene import Script
@@ -59,7 +59,6 @@ class Bodies:
         self.axis = InstantAxis(b, c, d, real(solver.coupler_sine), i)
         self.seen = view.way
         self._turns: dict[Order, tuple[Any, Turns]] = {}
-        self._of_a: dict[Order, tuple[Any, Any]] = {}
 
     def laid(self, vector: Vector3) -> Any:
         """Return a vector of the coupler's plane, rotated into the paper about OI."""
@@ -141,15 +140,10 @@ class Bodies:
         way = self.seen(self.axis.i)
         return (self.sliding(VELOCITY)["a₄"] * way.conjugate()).imag / self.relative(VELOCITY)[0]
 
-    def of_a(self, order: Order) -> tuple[Any, Any]:
-        """Return the motion of A as a point of 4 against 2, along I and across, in one pose."""
-        if order not in self._of_a:
-            motion = self.motion.velocity if order is VELOCITY else self.motion.acceleration
-            crank = motion.turning[self.solver.driver.name]
-            x, y, z = map(dual, self.screw.difference(crank, self.solver.turns(motion)))
-            i, m = reals(self.screw.i), reals(self.screw.m)
-            self._of_a[order] = dot((x, y, z), i), dot((x, y, z), m)
-        return self._of_a[order]
+    @cached_property
+    def growth(self) -> Any:
+        """α₄₂ₜ of one pose, and as its dual part v̇₄₂."""
+        return self.solver.axis_acceleration(self.motion.pose, self.motion.acceleration)
 
     def sliding(self, order: Order) -> Mapping[str, Any]:
         """Return where the vertices of the polygon below are: A as a point of the rocker."""
@@ -157,9 +151,16 @@ class Bodies:
         slid = getattr(slide, order.panel)
         d, i, prime = self.seen(self.axis.d), self.seen(self.axis.i), PRIME * (order.number - 1)
         z = self.turns(order)[1].at_d * self.ground * 1j * d
-        end = z + slid * d
-        places = {"a": 0j, "d": 0j, "y": (end * i.conjugate()).imag * (1j * i), "z": z}
+        end, turned = z + slid * d, self.turned_with_axis if prime else 0j
+        y = turned + ((end - turned) * i.conjugate()).imag * (1j * i)
+        places = {"a": 0j, "d": 0j, **({"x": turned} if prime else {}), "y": y, "z": z}
         return {**{letter + prime: at for letter, at in places.items()}, f"a{prime}₄": end}
+
+    @property
+    def turned_with_axis(self) -> Any:
+        """The part of the acceleration of A that is due to the turning of its velocity with OI."""
+        pace = self.axis.velocity(*self.turns(VELOCITY)).tau
+        return pace * 1j * self.sliding(VELOCITY)["a₄"]
 
     @cached_property
     def ground(self) -> float:

@@ -112,19 +112,26 @@ class BodyPolygon:
             sums,
             self.bodies.vertices(self.order),
             [self.one],
-            self.pole(),
+            self.opening,
             self.unit,
             fold=self._fold(centre) if both else None,
             remark=remark if self.order is VELOCITY else "",
         )
         return drawing if drawing.equations else replace(drawing, remark="")
 
-    def pole(self) -> Sentence:
-        """Say which vertices lie at the pole: 2′ does if the driver has no angular acceleration."""
-        if self.order is ACCELERATION and not self.crank:
-            given = Figure(self.crank, self.unit, given=True)
-            return self.scene.say("bodies pole acceleration steady", value=given)
-        return self.scene.say(f"bodies pole {self.panel}")
+    @cached_property
+    def opening(self) -> Sentence:
+        """What is said of the pole, and in the same breath of the rate of the crank.
+
+        2′ lies at the pole if the crank has no angular acceleration.
+        """
+        steady = self.order is ACCELERATION and not self.crank
+        given = Figure(self.crank, self.unit, given=True)
+        parts: dict[str, SentencePart] = {"value": given}
+        if not steady:
+            parts |= {"symbol": self._symbol("12"), "unit": Unit(self.unit)}
+            parts |= {"frame": self.one, "axis": self.names.axes["12"]}
+        return self.scene.say("bodies pole steady" if steady else "bodies pole", **parts)
 
     def frame(self, whole: bool = False) -> Stated:
         """Return ω₂ + ω₄₂ = ω₄, or α₂ + ω₄₂τ̇ + α₄₂ₜ = α₄, in the plane of the frame.
@@ -133,8 +140,7 @@ class BodyPolygon:
         """
         bodies, axis, at_d = self.bodies, self.bodies.axis, self.turns.at_d
         along, across = bodies.relative(self.order)
-        given = {"absolute": self._says("bodies given", "12", self.crank, given=True)}
-        crank = self._vector("12", self.one, self.two, given)
+        crank = self._vector("12", self.one, self.two, {"absolute": lambda label: self.opening})
         parts = [self._part(crank, "absolute", bodies.seen(Z), self.crank, dictated=True)]
         # What the table states has its sign there.
         size = along if self._is_measured("24") else abs(along)
@@ -245,13 +251,9 @@ class BodyPolygon:
         at = value * way, way, True, name, of.head
         return Part(of, name, *at, label=label, symbol=symbol, called=called)
 
-    def _says(
-        self, phrase: str, ends: str, value: float, symbol: str = "", given: bool = False
-    ) -> partial[Sentence]:
+    def _says(self, phrase: str, ends: str, value: float, symbol: str = "") -> partial[Sentence]:
         parts: dict[str, SentencePart] = {"symbol": symbol or self._symbol(ends)}
-        parts |= {"value": Figure(value, self.unit, given), "unit": Unit(self.unit)}
-        if given:
-            parts["axis"] = self.names.axes[ends]
+        parts |= {"value": Figure(value, self.unit), "unit": Unit(self.unit)}
         return partial(self.scene.say, phrase, **parts)
 
     def _line(self, ends: str) -> Callable[..., Sentence]:

@@ -172,8 +172,11 @@ def _told_at_once(scene: SceneInSpace, strokes: Sequence[Stroke]) -> tuple[Strok
             told[number] = replace(stroke, said=scene.say("line alone", one=stroke.said))
             continue
         if stroke.kind == "intersection" and lines:
-            phrase = "lines and crossing" if len(lines) == 2 else "line and crossing"
             parts = {"one": lines[0].said, "other": lines[-1].said, "crossing": stroke.said}
+            phrase = "lines and crossing" if len(lines) == 2 else "line and crossing"
+            match stroke.said:
+                case Sentence(phrase="crossing") if len(lines) == 2:
+                    phrase, parts["crossing"] = "lines that cross", stroke.label
             said, first = scene.say(phrase, **parts), number - len(lines)
             told[first : number + 1] = (replace(x, said=said) for x in (*lines, stroke))
         lines = []

@@ -24,7 +24,7 @@ from vad.strokes.vector_equations import Part, VectorEquation
 from vad.written import PRIME, subscript
 
 #: Of A along I, and of the slide at D, by the number of the order.
-ALONG_I = ("", "v" + subscript(42), "a" + subscript(42))
+ALONG_I = ("", "v" + subscript(42), "v\N{COMBINING DOT ABOVE}" + subscript(42))
 ALONG_D = ("s_D", "ṡ_D", "s\N{COMBINING DIAERESIS}_D")
 
 
@@ -39,7 +39,7 @@ class SlidingScript(BodyScript):
         places, fixed = bodies.vertices(order, coupler=False), vertices[:1]
         sums = [upper.frame()]
         drawing = polygon(
-            self.scene, order, sums, places, fixed, upper.pole(), order.unit, at_rest=vertices
+            self.scene, order, sums, places, fixed, upper.opening, order.unit, at_rest=vertices
         )
         return replace(drawing, below=_motion_of_a(self, bodies, order))
 
@@ -49,8 +49,8 @@ class SlidingScript(BodyScript):
         if key == "axis" and order is POSITION:
             return Cell("τ", bodies.screw.tau, order.unit), Cell("AH", bodies.height, unit)
         if key == "axis":
-            turning, sliding = bodies.relative(order)[0], bodies.of_a(order)[0]
-            along = Cell(ALONG_I[n], sliding, unit, below=True)
+            turning = bodies.relative(order)[0]
+            along = Cell(ALONG_I[n], _sliding(bodies, order), unit, below=True)
             return Cell(RELATIVE[n], turning, order.unit), along
         turned = super().cells(order, key)
         slid = getattr(self.motion.slide("slide_d"), order.panel)
@@ -74,7 +74,7 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
         order.panel,
     )
     places = bodies.sliding(order)
-    a, d, y, z, end = places
+    a, d, *_, y, z, end = places
     i, along_d, turn = (
         bodies.seen(bodies.axis.i),
         bodies.seen(bodies.axis.d),
@@ -124,19 +124,19 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
         value=Figure(abs(turn * bodies.ground), unit),
         unit=Unit(unit),
     )
-    along, _ = bodies.of_a(order)
+    about_i, begin, known = {"normal": _about_i(script, bodies, order)}, a, []
+    if order is ACCELERATION:
+        begin, way = f"x{PRIME}", 1j * bodies.sliding(VELOCITY)["a₄"]
+        turned = {"normal": _turned_with_i(script, bodies)}
+        known.append(
+            part("ax", a, begin, "axis", "normal", way, turned, dictated=True, called="ax")
+        )
+    called = "xy" if known else "ay"
+    known.append(
+        part(called, begin, y, "axis", "normal", 1j * i, about_i, dictated=True, called=called)
+    )
     first = chain(
-        part(
-            "ay",
-            a,
-            y,
-            "axis",
-            "normal",
-            1j * i,
-            {"normal": _about_i(script, bodies, order)},
-            dictated=True,
-            called="ay",
-        ),
+        *known,
         part(
             "I",
             y,
@@ -144,7 +144,7 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
             "axis",
             "sliding",
             i,
-            found("I", along, ALONG_I[order.number]),
+            found("I", _sliding(bodies, order), ALONG_I[order.number]),
             label=write("parallel", line="OI"),
             symbol=ALONG_I[order.number],
             called="ya4",
@@ -188,22 +188,37 @@ def _motion_of_a(script: Script, bodies: Bodies, order: Order) -> Drawing:
     )
 
 
+def _sliding(bodies: Bodies, order: Order) -> Any:
+    """Return v₄₂, at which A slides along I against the crank, or its derivative."""
+    return dual(bodies.pace.omega if order is VELOCITY else bodies.growth)
+
+
 def _about_i(script: Script, bodies: Bodies, order: Order) -> Callable[..., Sentence]:
-    """Say how A turns about I, as a point of the rocker, relative to the crank."""
-    omega, sliding = (part(bodies.pace.omega) for part in (real, dual))
-    tau, rising = (part(bodies.pace.tau) for part in (real, dual))
-    unit = order.unit_of(script.scene.unit)
-    parts: dict[str, SentencePart] = {"value": Figure(abs(bodies.of_a(order)[1]), unit)}
-    parts["unit"] = Unit(unit)
+    """Say how fast A turns about I against the crank, or how fast that grows."""
+    omega, unit = real(bodies.pace.omega), order.unit_of(script.scene.unit)
     if order is VELOCITY:
-        parts |= {
-            "turn": Figure(abs(omega), VELOCITY.unit),
-            "lever": Figure(abs(bodies.height), script.scene.unit, scale=unit),
-        }
-        return partial(
-            script.scene.say, "spatial about I velocity", product("value", "turn", "lever"), **parts
-        )
-    sums = bodies.relative(ACCELERATION)[0] * bodies.height, omega * rising, sliding * tau
-    sign = 1.0 if sum(sums) >= 0.0 else -1.0
-    parts["sum"] = Terms(tuple(Figure(sign * each, unit) for each in sums))
-    return partial(script.scene.say, "spatial about I acceleration", total("value", "sum"), **parts)
+        turn, value = Figure(abs(omega), VELOCITY.unit), omega * bodies.height
+        lever = Figure(abs(bodies.height), script.scene.unit, scale=unit)
+        parts: dict[str, SentencePart] = {"turn": turn, "lever": lever}
+        steps = product("value", "turn", "lever")
+    else:
+        rising, pace = dual(bodies.pace.tau), VELOCITY.unit_of(script.scene.unit)
+        sums = real(bodies.growth) * bodies.height, omega * rising
+        value, sign = sum(sums), 1.0 if sum(sums) >= 0.0 else -1.0
+        parts = {"sum": Terms(tuple(Figure(sign * each, unit) for each in sums))}
+        parts |= {"rising": Figure(rising, pace), "pace": Unit(pace)}
+        steps = total("value", "sum")
+    parts |= {"value": Figure(abs(value), unit), "unit": Unit(unit)}
+    return partial(script.scene.say, f"spatial about I {order.panel}", steps, **parts)
+
+
+def _turned_with_i(script: Script, bodies: Bodies) -> Callable[..., Sentence]:
+    """Say that the velocity of A against the crank turns with OI."""
+    unit = ACCELERATION.unit_of(script.scene.unit)
+    parts: dict[str, SentencePart] = {
+        "speed": Figure(abs(bodies.sliding(VELOCITY)["a₄"]), VELOCITY.unit_of(script.scene.unit)),
+        "pace": Figure(abs(real(bodies.pace.tau)), VELOCITY.unit),
+        "value": Figure(abs(bodies.turned_with_axis), unit),
+        "unit": Unit(unit),
+    }
+    return partial(script.scene.say, "spatial turned", product("value", "speed", "pace"), **parts)

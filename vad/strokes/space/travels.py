@@ -5,13 +5,13 @@ A vector turns by 90° only where that is true: in a view along the axis about w
 - ω₂ and α₂ lie along their axis, which the plane of the frame shows in true direction.  A copy of
   the axis lifts off, is stretched, and lands; it does not turn.
 - ω₄₂τ̇ is ω₄₂ turned by 90° in the plane of the frame, and ω₄₂τ̇₃ in that of the coupler, which has
-  been turned into the paper.  The velocities ay and dz, and d′z′, are ω₄₂, ω₄ and α₄ times a lever
-  along AD, at right angles to the paper: in this view they are turned by 90°, too.  All leave the
-  polygon that they come from.
+  been turned into the paper; a′x′ is the velocity aa₄ turned in the plane of the frame.  The
+  velocities ay and dz, and d′z′, are ω₄₂, ω₄ and α₄ times a lever along AD, at right angles to the
+  paper: in this view they are turned by 90°, too.  All leave the polygon that they come from.
 - Between balls, the polygon is drawn in the view in which BC has its true length.  There BT is the
   crank turned by 90°: the velocity of B lies along it, and normal components along their bars.
 
-The sum a′y′ of three products comes from no single vector: a pencil draws it.
+The sum x′y′ of two products comes from no single vector: a pencil draws it.
 """
 
 from __future__ import annotations
@@ -25,11 +25,13 @@ from vad.strokes.travel import Travel, TravelKind
 
 #: The axis of the crank in true direction, by the names of strokes of the views, the best first.
 AXES = ("star.A", "2.shaft", "A.shaft")
-#: What is turned by 90°: the panel and the names of a vector, and where it comes from.
+#: What is turned by 90°: the panel and the names of a vector, and where it comes from: a vector, or
+#: the sum of two, by the names that those which are drawn may have.
 TURNED = (
     (ACCELERATION.panel, ("24.normal", "34.normal"), VELOCITY.panel, ("24.relative", "24")),
     (VELOCITY.panel + BELOW, ("ay",), VELOCITY.panel, ("24",)),
     (VELOCITY.panel + BELOW, ("dz",), VELOCITY.panel, ("14",)),
+    (ACCELERATION.panel + BELOW, ("ax",), VELOCITY.panel + BELOW, ("ay", "ya4")),
     (ACCELERATION.panel + BELOW, ("dz",), ACCELERATION.panel, ("14",)),
 )
 #: Of bars between balls: the lines in their own view along which known components lie, by the
@@ -64,25 +66,21 @@ def travels_in_space(sheet: Sheet, views: Panel | None) -> Iterator[tuple[str, T
 def _along_axis(panel: Panel, views: Panel) -> Iterator[tuple[str, Travel]]:
     """Yield the rate of the crank, which lies along its axis."""
     axis = _curve(views, AXES)
-    stroke = _drawn(panel, ("12.absolute", "12"))
-    if axis is None or stroke is None:
-        return
-    yield from _along(panel, stroke, views.name, *axis)
+    for stroke, _ in _arrows(panel, ("12.absolute", "12")):
+        if axis is not None:
+            yield from _along(panel, stroke, views.name, *axis)
 
 
 def _turned(
     panel: Panel, names: tuple[str, ...], source: Panel, ends: tuple[str, ...]
 ) -> Iterator[tuple[str, Travel]]:
-    """Yield the vectors that are another one, turned by 90° in the paper."""
-    origin = _drawn(source, ends)
-    if origin is None:
+    """Yield the vectors that are the sum of others, turned by 90° in the paper."""
+    origins = list(_arrows(source, ends))
+    if not origins:
         return
-    assert isinstance(origin.shape, Arrow)
-    tail, head = origin.shape.start, origin.shape.end
-    for name in names:
-        stroke = _drawn(panel, (name,))
-        if stroke is not None:
-            yield _named(panel, stroke, "turned", source.name, (tail, head))
+    tail, head = origins[0][1].start, origins[-1][1].end
+    for stroke, _ in _arrows(panel, names):
+        yield _named(panel, stroke, "turned", source.name, (tail, head))
 
 
 def _of_bars(panel: Panel, views: Panel) -> Iterator[tuple[str, Travel]]:
@@ -124,12 +122,11 @@ def _named(
     return panel.full(stroke.name), Travel(kind, source, *ends, shape.start, shape.end)
 
 
-def _drawn(panel: Panel, names: tuple[str, ...]) -> Stroke | None:
-    """Return the vector that has one of some names."""
+def _arrows(panel: Panel, names: tuple[str, ...]) -> Iterator[tuple[Stroke, Arrow]]:
+    """Yield the vectors that have some names, with their shapes, in drawing order."""
     for stroke in panel.strokes:
         if stroke.name in names and isinstance(stroke.shape, Arrow):
-            return stroke
-    return None
+            yield stroke, stroke.shape
 
 
 def _curve(views: Panel, names: tuple[str, ...]) -> tuple[complex, complex] | None:
