@@ -771,8 +771,8 @@ PHRASES = {
         "auf ihr."
     ),
     "spatial directions": (
-        "*OA* bis *OD* ∥ den Achsen, wie im sphärischen Viergelenk: die Ebenen *AOD*, *BOC* "
-        "schneiden sich in *OI* unter *δ* = {delta}°, *τ* = {tau}° von *OA*, *IB* = {ib}° von *OB*."
+        "*OA* bis *OD* sind ∥ den Achsen, wie im sphärischen Viergelenk: *OI* ist der Schnitt der "
+        "Ebenen *AOD*, *BOC* unter *δ* = {delta}°, *τ* = {tau}° von *OA*; *IB* = {ib}°."
     ),
     "spatial slides": (
         "Drei Längen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
