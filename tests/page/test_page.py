@@ -155,9 +155,7 @@ def test_the_letters_of_new_results_are_there_in_bold_and_of_given_ones_plain():
     }
     bold = set(faces["font-weight:bold"].getBestCmap())
     plain = set(faces["font-style:normal"].getBestCmap())
-    cells = re.findall(
-        r'<span class="cell( given)?"><span class="symbol">.*?</span>(.*?)</span>', html
-    )
+    cells = re.findall(r'<span class="cell( given)?"><span>.*?</span>(.*?)</span>', html)
     values = {
         kind: "".join(re.sub("<.*?>", "", text) for given, text in cells if given == kind)
         for kind in ("", " given")

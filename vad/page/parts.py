@@ -429,7 +429,8 @@ def measured_cells(plan: Plan, panel: Panel, row: Row, words: RunWriter, values:
     if need > room and alike(cells, panel.name, plan.sheet.rows):
         readings = [_reading(plan, cell, bare=cell is not cells[-1]) for cell in cells]
         need = _need(cells, readings)
-    small = f' style="font-size:{100 * room / need:.0f}%"' if need > room else ""
+    share = f"{100 * room / max(need, room):.0f}"
+    small = f' style="font-size:{share}%"' if share != "100" else ""
     written = map(_cell, cells, readings, repeat(words))
     halves = []
     for half, measured in panel.measures(row):
@@ -453,7 +454,7 @@ def _need(cells: Sequence[Cell], readings: Sequence[Runs]) -> float:
 def _cell(cell: Cell, reading: Runs, words: RunWriter) -> str:
     symbol, value = words.of(symbols(cell.symbol)), words.of(reading, heavy=not cell.given)
     given = " given" if cell.given else ""
-    return f'<span class="cell{given}"><span class="symbol">{symbol}</span>{value}</span>'
+    return f'<span class="cell{given}"><span>{symbol}</span>{value}</span>'
 
 
 def _reading(plan: Plan, cell: Cell, bare: bool = False) -> Runs:

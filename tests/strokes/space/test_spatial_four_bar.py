@@ -258,7 +258,7 @@ def test_the_rate_at_which_oi_turns_follows_from_what_the_star_shows(angle: floa
         curve(views, "star.D"),
     )
     for letter, start, arc in (("B", a, 30.0), ("C", d, 45.0)):
-        way, axis = dot(views, f"{letter}.sphere") - centre, start - centre
+        way, axis = curve(views, f"star.{letter}")[0] - centre, start - centre
         cosine = (way * axis.conjugate()).real / abs(axis) ** 2
         assert cosine == pytest.approx(math.cos(math.radians(arc)))
 

@@ -112,7 +112,6 @@ class Script(SlidingScript):
         begin = bearing(at["true A"])
         for letter, way, row in (("B", b, "crank"), ("C", c, "rocker")):
             construction(f"star.{letter}", Curve((sphere.point(way), star)), row, f"O{letter}")
-            crossing(f"{letter}.sphere", Dot(sphere.point(way)), row)
         start = minimum(0.0, from_b)
         sweep = not_below(0.0, from_b + self.sizes["coupler_twist"]) - start
         great = sphere.circle(ORIGIN, bodies.axis.i, bodies.axis.j, start, sweep)
