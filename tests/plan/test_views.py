@@ -332,7 +332,7 @@ def test_joints_of_views_that_look_like_one_stand_under_a_lens():
         for mark in item.marks
         if mark.role == "notes" and isinstance(mark.shape, Lettering)
     ]
-    assert "×4" in words and not roles(sketch, "scale bar")
+    assert "×8" in words and not roles(sketch, "scale bar")
     within = [tag for tag in sketch.tags if abs(tag.box.centre - lens.at) < lens.radius]
     assert {tag.text for tag in within} == {"A", "B"}
     assert overlaps(vad.draw(vad.solve(vad.RSSR(), angle=75.0)), (960, 720)) == []
@@ -362,7 +362,7 @@ def test_what_holds_for_both_polygons_is_said_once(size: tuple[int, int]) -> Non
     lasting = [item for item in planned(sheet, size).items if item.region.endswith("foot")]
     marks = [mark for item in lasting for mark in item.marks if mark.role == "notes"]
     said = " ".join("".join(run.text for run in mark.shape.runs) for mark in marks)
-    assert said.startswith("drawn in the view") and said.count("drawn") == 1
+    assert said.startswith("in the plane of BC") and said.count("plane") == 1
     symbols = [cell.symbol for row in sheet.rows for cell in row.cells.get("velocity", ())]
     assert len(set(symbols)) == len(symbols)
 

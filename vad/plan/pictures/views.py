@@ -61,9 +61,10 @@ from vad.strokes.sheet import (
     Stroke,
 )
 
-#: Of joints and sleeves: two views have the room of one mechanism in the plane.
-SIZE = 0.8
-RADIUS = machine.JOINT_REACH * SIZE
+#: Of sleeves, and of joints and points: two views or three have the room of one mechanism in the
+#: plane, and the joints of a short crank stand apart.
+SIZE, JOINT = 0.8, 0.62
+RADIUS = machine.JOINT_REACH * JOINT
 NEAR = (0.012, 0.018, 0.026)
 NOTE = 0.030
 NOTE_PITCH = 0.034
@@ -277,7 +278,7 @@ def add_stroke(sketch: Sketch, index: int) -> None:
             add_curve(sketch, index)
             for vertex in [end for end, letter in (("start", tail), ("end", head)) if not letter]:
                 anchor = Anchor.of(stroke.name, vertex)
-                sketch.hang(index, Level.DOT, [machine.joint(anchor, size=SIZE)], since="after")
+                sketch.hang(index, Level.DOT, [machine.joint(anchor, size=JOINT)], since="after")
                 at = sketch.solved.place(anchor)
                 sketch.obstacles.disc(at, RADIUS, (setting.after(index), FOREVER))
                 sketch.unnamed.append(at)
@@ -311,7 +312,7 @@ def add_pins(sketch: Sketch, vertices: list[Vertex]) -> None:
     for vertex in vertices:
         part = machine.point if points.issuperset(vertex.letters) else machine.joint
         since = setting.after(vertex.since)
-        sketch.hang(vertex.since, Level.DOT, [part(vertex.anchor, size=SIZE)], since="after")
+        sketch.hang(vertex.since, Level.DOT, [part(vertex.anchor, size=JOINT)], since="after")
         sketch.obstacles.disc(vertex.at, RADIUS, (since, FOREVER))
 
 
@@ -358,7 +359,7 @@ def _add_dot(sketch: Sketch, index: int, at: complex) -> None:
     setting = sketch.setting
     stroke = setting.panel.strokes[index]
     part = machine.point if is_point(stroke) else machine.joint
-    mark = part(Anchor.of(stroke.name, "at"), SWELLING, SIZE)
+    mark = part(Anchor.of(stroke.name, "at"), SWELLING, JOINT)
     sketch.hang(index, Level.DOT, [mark], until="after" if stroke.label else "never")
     if not stroke.label:
         sketch.obstacles.disc(at, RADIUS, (setting.during(index), FOREVER))
