@@ -70,17 +70,19 @@ def test_a_row_bears_the_number_that_captions_give_its_link(name: str) -> None:
 def test_a_link_that_grows_has_the_row_of_its_stroke() -> None:
     sheet = vad.draw(vad.solve(vad.GateActuator()))
     row = sheet.rows[-1]
-    assert (row.title, row.letters, row.cells["position"][0].symbol) == ("stroke", "DB", "l")
+    assert (row.title, row.letters, row.cells["position"][0].symbol) == ("length", "DB", "l")
     vertices = {letter for panel in sheet.panels for s in panel.strokes for letter in s.label}
     assert "s" in vertices and "l" not in vertices
 
 
 def test_a_sheet_says_what_it_takes_to_draw_it_again() -> None:
     gate, lever = (vad.draw(vad.solve(kind())) for kind in (vad.GateActuator, vad.Whitworth))
-    assert title(gate) == ("Gate actuator: ground 0.68642 ft, arm 3.8866 ft, ground angle 127.304°")
+    assert title(gate) == (
+        "Gate actuator: ground 0.68642 ft, arm 3.8866 ft, ground angle from x 127.304°"
+    )
     assert "angle" not in title(lever)  # straight down, as it is always drawn
     turned = vad.draw(vad.solve(vad.Whitworth(ground_angle=90.0)))
-    assert "ground angle 90°" in title(turned)
+    assert "ground angle from x 90°" in title(turned)
 
 
 def test_a_given_value_has_the_digits_that_a_calculation_needs_wherever_it_stands() -> None:

@@ -21,7 +21,7 @@ _RATES = (VELOCITY.panel, "turned", "centres")
 #: The panel of the driven body alone, and the vector of the force on it.
 DRIVE, SLIDING = "drive", "drive.action"
 #: The title of the row in which the length of a driven cylinder stands.
-CYLINDER = Noun("stroke", generic="")
+CYLINDER = Noun("length", generic="")
 #: A rate below this share of the largest one counts as zero.
 _REST = 1e-9
 

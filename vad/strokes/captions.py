@@ -7,13 +7,17 @@ from collections.abc import Sequence
 from functools import reduce
 from typing import Generic
 
-from vad.kinematics.linkage import Bar, Slide, Step, length_of, points_of
+from vad.kinematics.linkage import Bar, Slide, Step, angle_of, length_of, points_of
 from vad.strokes.arithmetic import Calculation, Figure, product
 from vad.strokes.diagram import ORDERS
 from vad.strokes.loops import StepVector
+from vad.strokes.notation import typed_unit
 from vad.strokes.scene import Scene, image_letter, point_of
 from vad.strokes.sentences import CaptionedMotion, Listed, Noun, Sentence, SentencePart, Unit
 from vad.strokes.vector_equations import Part, V
+
+#: The unit of the number of turns in a time, and the mark of a vertex that is found in two ways.
+RPM, DOUBLE_PRIME = "rpm", "″"
 
 
 class PolygonCaptions(ABC, Generic[V]):
@@ -100,6 +104,7 @@ class Captions(PolygonCaptions[StepVector]):
     def __init__(self, scene: Scene, order: int) -> None:
         super().__init__(scene, order, scene.rate_unit(order))
         self._scene = scene
+        self._doubled = False
 
     def pole(self, letters: list[str]) -> Sentence:
         """Say which points lie at the pole."""
@@ -112,7 +117,25 @@ class Captions(PolygonCaptions[StepVector]):
         ]
         point = point_of(letters[0])
         one = self.say(f"pole {self.panel} one", point=point, letters=named[0])
-        return self._steady(one if len(named) == 1 else self.at_pole(named))
+        return self._turning(self._steady(one if len(named) == 1 else self.at_pole(named)))
+
+    def _turning(self, said: Sentence) -> Sentence:
+        """Say at the pole of velocities, too, how large ω is where it was typed in rpm."""
+        scene, driver = self._scene, self._scene.driver
+        if self.order > 1 or driver != angle_of(driver.name):
+            return said
+        rate = scene.spin(driver.name, 1)
+        factor, unit = typed_unit(rate.value, rate.unit)
+        if unit != RPM:
+            return said
+        return self.say(
+            "pole turning",
+            product("rate", 1.0 / factor, "count"),
+            said=said,
+            count=Figure(factor * rate.value, unit, given=True),
+            omega=scene.members.symbol("ω", driver.name),
+            rate=rate,
+        )
 
     def _steady(self, said: Sentence) -> Sentence:
         """Say at the pole, too, that the driver gives a line no acceleration, if that is so."""
@@ -151,7 +174,16 @@ class Captions(PolygonCaptions[StepVector]):
             head=head,
             tail=tail,
             whose=self._whose(bar) if whole else "",
+            also=self._double(label),
         )
+
+    def _double(self, label: str) -> Sentence | Listed:
+        """Say why the first vertex with a double prime has it; nothing of the others."""
+        if DOUBLE_PRIME not in label or self._doubled:
+            return Listed((), "")
+        self._doubled = True
+        other = label[label.index(DOUBLE_PRIME) - 1 :]
+        return self.say("double prime", other=other, one=other.replace(DOUBLE_PRIME, ""))
 
     def _known_slide(self, label: str, part: Part[StepVector], slide: Slide) -> Sentence:
         scene = self._scene
@@ -161,8 +193,11 @@ class Captions(PolygonCaptions[StepVector]):
                 Unit(self.unit, typed=True),
             )
             line, way = scene.line(slide), self._driven_way(slide, part.vector)
-            phrase = f"sliding {self.panel}"
-            return self.say(phrase, label=label, value=value, unit=unit, line=line, way=way)
+            ends = scene.motion.mechanism.links.get(slide.name, "")
+            turns = self.order == 1 and ends[:1] in scene.members.fixed  # about a fixed pivot
+            phrase = f"sliding {self.panel}" + (" strut" if turns else "")
+            said: dict[str, SentencePart] = {"line": line, "way": way, "bar": ends}
+            return self.say(phrase, label=label, value=value, unit=unit, **said)
         sliding = abs(scene.speed(slide.name, 1))
         return self.quantity(
             "coriolis",

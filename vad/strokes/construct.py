@@ -20,6 +20,8 @@ from vad.strokes.sheet import Arc, Dot, Guide, Line
 
 #: A compass arc reaches so many degrees to either side of the point that it finds.
 COMPASS = 14.0
+#: Of the radius of an arc: crossings nearer than this are one.
+ONE_CROSSING = 0.02
 
 
 class FurtherPoints:
@@ -252,15 +254,15 @@ class _Construction:
         if end in self.found:
             return
         phrase: tuple[str, dict[str, SentencePart]] = ("found", {"letter": end})
-        arcs, steps = 0, (*loop.first, *loop.second)
+        centres: list[str] = []
+        steps = (*loop.first, *loop.second)
         for step in steps:
             if isinstance(step, Bar) and scalar_of(step) in unknowns:
                 blocks = [s for s in steps if isinstance(s, Slide) and s.name == step.length]
                 if any(scalar_of(block) in unknowns for block in blocks):
                     phrase = self._lever_line(step, end, blocks[0])
                 else:
-                    self._compass(step, end)
-                    arcs += 1
+                    centres.append(self._compass(step, end))
             elif isinstance(step, Slide) and self._is_slot(step, unknowns):
                 self._link_slot_line(step, end)
                 phrase = ("on link slot", {"letter": end})
@@ -268,10 +270,10 @@ class _Construction:
                 if not self.members.is_guide(step):
                     self._slot_line(step)
                     phrase = ("on slot", {"letter": end})
-                elif phrase[0] == "found" and arcs:
+                elif phrase[0] == "found" and centres:
                     phrase = ("on guide", {"letter": end})
-        if arcs > 1:
-            phrase = ("arcs cross", {"letter": end})
+        if len(centres) > 1:
+            phrase = ("arcs cross", {"letter": end, "which": self._which(end, *centres)})
         self.ink.draw(end, "found", "intersection", end, Dot(self.scene.at(end)), *phrase)
         self.found.add(end)
         for step in steps:
@@ -292,12 +294,24 @@ class _Construction:
         known = isinstance(slide.along, str) and angle_of(slide.along) not in unknowns
         return known and slide.head in self.members.points
 
-    def _compass(self, bar: Bar, end: str) -> None:
-        """Draw the arc about the known end of a bar on which its other end lies."""
+    def _which(self, end: str, one: str, other: str) -> SentencePart:
+        """Say which of the two crossings of arcs about points is meant: the upper one, say."""
+        at, start, way = (self.scene.at(each) for each in (end, one, other))
+        way -= start
+        off = 2j * ((at - start) / way).imag * way  # from the other crossing to this one
+        if abs(off) < ONE_CROSSING * abs(at - start):
+            return Listed((), "")
+        aside = "right" if off.real > 0 else "left"
+        above = "up" if off.imag > 0 else "down"
+        return self.scene.say(f"crossing {aside if abs(off.real) > abs(off.imag) else above}")
+
+    def _compass(self, bar: Bar, end: str) -> str:
+        """Draw the arc about the known end of a bar on which its other end lies; return that."""
         tail, head = self.members.ends(bar)
         phrase = "compass strut" if self.members.is_strut(bar) else "compass"
         centre = tail if end == head else head
         self.further.arc(bar, centre, end, self.scene.length(bar), phrase)
+        return centre
 
     def _lever_line(self, bar: Bar, end: str, slide: Slide) -> tuple[str, dict[str, SentencePart]]:
         """Draw the line of a lever through the block on it."""

@@ -155,8 +155,8 @@ class Scene(CaptionedMotion, ABC):
         for name in self.members.slides:
             cells = {diagram.name: diagram.cells(self, name, True) for diagram in diagrams}
             strut = mechanism.links.get(name)  # a strut: its slide has its letters
-            title = say("stroke" if strut else base_name(name))
-            rows.append(Row(name, title, strut or mechanism.slides[name], cells))
+            title = say("length" if strut else base_name(name))
+            rows.append(Row(name, title, strut or mechanism.slides[name], cells, not strut))
         of_loads = [each for each in diagrams if each.name in ("position", "force", "drive")]
         if self.forces is not None and of_loads:
             cells = dict.fromkeys([each.name for each in diagrams], ())

@@ -113,7 +113,11 @@ PHRASES = {
     "lever line": "{link:Der} geht von {tail} durch {pin}.",
     "slot line": "Der Schlitz {link:des} geht durch {pin}, und {head} liegt auf seiner Geraden.",
     "found": "{letter} liegt im Schnittpunkt.",
-    "arcs cross": "{letter} ist der Schnittpunkt der Bögen.",
+    "arcs cross": "{letter} ist der {which}Schnittpunkt der Bögen.",
+    "crossing right": "rechte ",
+    "crossing left": "linke ",
+    "crossing up": "obere ",
+    "crossing down": "untere ",
     "on guide": "{letter} ist der Schnittpunkt von Bogen und Führung.",
     "on slot": "{letter} ist der Schnittpunkt des Schlitzes mit der Führung.",
     "on lever": "{letter} ist der Punkt {link:des}, der jetzt unter {pin} liegt.",
@@ -145,6 +149,7 @@ PHRASES = {
     "pole acceleration one": (
         "Der Pol: der feste Punkt {point} hat keine Beschleunigung, also liegt {letters} hier."
     ),
+    "pole turning": "{said} *n* = {count} U/min: {omega} = 2π·*n*/60 = {rate} {rad/s}.",
     "pole steady": "{said} Längs {line:des} ist {symbol} null.",
     "pole steady point": (
         "{said} Längs {line:des} ist {symbol} null, also liegt auch {letter} hier."
@@ -160,8 +165,9 @@ PHRASES = {
         "{omega}: {whose}."
     ),
     "normal": (
-        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}."
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}{also}."
     ),
+    "double prime": "; ″ unterscheidet {other} von {one}",
     "normal whole": (
         "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, von {head} nach {tail}: "
         "{whose}."
@@ -175,6 +181,7 @@ PHRASES = {
         "{alpha}: {whose}."
     ),
     "sliding velocity": ("{label} = {value} {unit}, {way}: längs {line:des} gegeben."),
+    "sliding velocity strut": ("{label} = {value} {unit}, {way}: gegeben, ohne Drehung von {bar}."),
     "sliding acceleration": (
         "{label} = {value} {unit}, {way}: die gegebene Beschleunigung längs {line:des}."
     ),
@@ -969,13 +976,13 @@ NAMES = {
     "block": "Stein",
     "ram": "Stößel",
     "yoke": "Kreuzschieber",
-    "stroke": "Hub",
+    "length": "Länge",
     "guide": "Führung",
     "slot": "Schlitz",
     "offset": "Versatz",
     "tracer": "Zeichenpunkt",
     "ram_height": "Stößelhöhe",
-    "ground_angle": "Gestellwinkel",
+    "ground_angle": "Gestellwinkel gegen x",
     "guide_a": "Führung A",
     "guide_b": "Führung B",
     "Spherical four-bar": "Sphärisches Viergelenk",

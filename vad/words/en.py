@@ -121,7 +121,11 @@ PHRASES = {
     "lever line": "The {link} from {tail} passes through {pin}.",
     "slot line": "The slot of the {link} passes through {pin}, and {head} lies on its line.",
     "found": "{letter} is where they meet.",
-    "arcs cross": "{letter} is where both arcs cross.",
+    "arcs cross": "{letter} is the {which}crossing of both arcs.",
+    "crossing right": "right ",
+    "crossing left": "left ",
+    "crossing up": "upper ",
+    "crossing down": "lower ",
     "on guide": "{letter} is where the arc meets the guide.",
     "on slot": "{letter} is where the line of the slot meets the guide.",
     "on lever": "{letter} is the point of the {link} that is now under {pin}.",
@@ -154,6 +158,7 @@ PHRASES = {
     "pole acceleration one": (
         "The pole: the fixed point {point} has no acceleration, so {letters} lies here."
     ),
+    "pole turning": "{said} *n* = {count} rpm: {omega} = 2π·*n*/60 = {rate} {rad/s}.",
     "pole steady": "{said} Along the {line}, {symbol} is zero.",
     "pole steady point": "{said} Along the {line}, {symbol} is zero, so {letter} lies here, too.",
     "on the guide": "{letter} ({point} on the guide)",
@@ -167,8 +172,10 @@ PHRASES = {
         "{omega}: {whose}."
     ),
     "normal": (
-        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}."
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards "
+        "{tail}{also}."
     ),
+    "double prime": "; ″ tells {other} from {one}",
     "normal whole": (
         "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, from {head} towards {tail}: "
         "{whose}."
@@ -182,6 +189,7 @@ PHRASES = {
         "{alpha}: {whose}."
     ),
     "sliding velocity": "{label} = {value} {unit}, {way}: given along the {line}.",
+    "sliding velocity strut": ("{label} = {value} {unit}, {way}: given, as if {bar} did not turn."),
     "sliding acceleration": (
         "{label} = {value} {unit}, {way}: the given acceleration along the {line}."
     ),
@@ -891,6 +899,7 @@ NAMES = {
     "driving": "driving shaft",
     "driven": "driven shaft",
     "shaft_angle": "shaft angle β",
+    "ground_angle": "ground angle from x",
     "ground_twist": "angle of axes",
     "crank_offset": "crank offset",
     "rocker_offset": "rocker offset",

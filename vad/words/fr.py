@@ -119,7 +119,11 @@ PHRASES = {
     "lever line": "{link:Le} part de {tail} et passe par {pin}.",
     "slot line": "La rainure {link:du} passe par {pin}, et {head} est sur son axe.",
     "found": "{letter} est à leur intersection.",
-    "arcs cross": "{letter} est à l’intersection des deux arcs.",
+    "arcs cross": "{letter} est à l’intersection {which}des deux arcs.",
+    "crossing right": "droite ",
+    "crossing left": "gauche ",
+    "crossing up": "supérieure ",
+    "crossing down": "inférieure ",
     "on guide": "{letter} est à l’intersection de l’arc et de la glissière.",
     "on slot": "{letter} est à l’intersection de la glissière et de l’axe de la rainure.",
     "on lever": "{letter} est le point {link:du} qui est maintenant sous {pin}.",
@@ -154,6 +158,7 @@ PHRASES = {
     "pole acceleration one": (
         "Le pôle : le point fixe {point} n’a pas d’accélération, donc {letters} est ici."
     ),
+    "pole turning": "{said} *n* = {count} tr/min : {omega} = 2π·*n*/60 = {rate} {rad/s}.",
     "pole steady": "{said} Le long {line:du}, {symbol} est nulle.",
     "pole steady point": (
         "{said} Le long {line:du}, {symbol} est nulle, donc {letter} est ici aussi."
@@ -170,7 +175,10 @@ PHRASES = {
         "{label} = {omega}·{bar} = {rate} × {size} = {value} {unit}, ⟂ {bar} dans le sens de "
         "{omega} : {whose}."
     ),
-    "normal": "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, de {head} vers {tail}.",
+    "normal": (
+        "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, de {head} vers {tail}{also}."
+    ),
+    "double prime": " ; ″ distingue {other} de {one}",
     "normal whole": (
         "{label} = {omega}²·{bar} = {rate} × {size} = {value} {unit}, de {head} vers {tail} : "
         "{whose}."
@@ -184,6 +192,7 @@ PHRASES = {
         "{alpha} : {whose}."
     ),
     "sliding velocity": "{label} = {value} {unit}, {way} : la vitesse donnée le long {line:du}.",
+    "sliding velocity strut": ("{label} = {value} {unit}, {way} : donnée, sans rotation de {bar}."),
     "sliding acceleration": (
         "{label} = {value} {unit}, {way} : l’accélération donnée le long {line:du}."
     ),
@@ -196,8 +205,8 @@ PHRASES = {
         "déplacer autrement, donc {meeting} s’y trouve."
     ),
     "across velocity strut": (
-        "Par {point}, la perpendiculaire à {bar} : hormis son glissement le long de {bar}, {head} "
-        "ne peut se déplacer qu’en travers, donc {meeting} s’y trouve."
+        "Par {point}, la perpendiculaire à {bar} : de plus, {head} ne peut se déplacer qu’en "
+        "travers, donc {meeting} s’y trouve."
     ),
     "across acceleration": (
         "Par {point}, la perpendiculaire à {bar}, direction de {alpha}·{bar} : {meeting} s’y "
@@ -971,13 +980,13 @@ NAMES = {
     "block": "coulisseau",
     "ram": "bélier",
     "yoke": "joug",
-    "stroke": "course",
+    "length": "longueur",
     "guide": "glissière",
     "slot": "rainure",
     "offset": "désaxage",
     "tracer": "point traceur",
     "ram_height": "hauteur du bélier",
-    "ground_angle": "angle du bâti",
+    "ground_angle": "angle du bâti avec x",
     "guide_a": "glissière A",
     "guide_b": "glissière B",
     "Spherical four-bar": "Quadrilatère sphérique",
