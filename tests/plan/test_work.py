@@ -72,3 +72,18 @@ def test_a_cell_that_goes_for_want_of_room_fades(name: str):
             others = (each for each in shown if each[0] == symbol)
             if until < last and not any(since == until for _, since, *_ in others):
                 assert growth and growth.knots[-1][1] == 0.0, symbol
+
+
+@pytest.mark.parametrize(
+    ("language", "word"), [("en", "positive"), ("de", "positiv"), ("fr", "positif")]
+)
+def test_the_sense_in_which_rates_are_positive_stands_below_them(language: str, word: str):
+    """It stands in the scenes of the polygons and in the whole sheet; angles alone need none."""
+    stage = stage_of("slider-crank", language, (1280, 720))
+    for number, at_work in enumerate([0, 1, 1, 1]):
+        items = [
+            i for i in stage.scene(number).items if "results" in i.region or "work" in i.region
+        ]
+        shapes = [mark.shape for item in items for mark in item.marks]
+        texts = [plain(each.runs) for each in shapes if isinstance(each, Lettering)]
+        assert [each.split() for each in texts if "↺" in each] == at_work * [["↺", word]]

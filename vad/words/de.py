@@ -7,6 +7,7 @@ PHRASES = {
     "given": "gegeben",
     "colon": ": ",
     "legend": "grau: gegeben",
+    "legend sense": "positiv",
     "coriolis rule": "Coriolis: *v* um 90° im Drehsinn von *ω* gedreht",
     # ein Aufgabenblatt
     "name": "Name",

@@ -18,6 +18,7 @@ PHRASES = {
     "given": "given",
     "colon": ": ",
     "legend": "grey: given",
+    "legend sense": "positive",
     "coriolis rule": "Coriolis: *v* turned 90° in the sense of *ω*",
     # a problem sheet
     "name": "Name",

@@ -6,6 +6,7 @@ PHRASES = {
     "results": "Résultats",
     "given": "donné",
     "legend": "en gris : données",
+    "legend sense": "positif",
     "colon": " : ",
     "coriolis rule": "Coriolis : *v* tournée de 90° dans le sens de *ω*",
     # une feuille d’exercice

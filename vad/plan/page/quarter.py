@@ -32,6 +32,8 @@ SIZE = 0.0335
 NAME_GAP = 0.0125
 KEY_RISE = 0.0068
 GIVEN_SIZE = 0.028
+#: The units of ω and α.
+TURNING = ("rad/s", "rad/s²")
 DROP = 0.006  # of a line to write on, below the baseline
 LEAST_NUMBER = 2.0  # the room of a number behind its symbol, in type sizes: four digits
 
@@ -429,6 +431,16 @@ class Entries:
         """Return the legend that says what grey means: a given value; it ends at ``end``."""
         at = end - self.legend_width
         return [Mark(Lettering(runs, at, GIVEN_SIZE), "notes") for runs in self._grey()]
+
+    def sense(self, end: complex, share: float = 1.0) -> list[Mark]:
+        """Return what says in which sense rates are positive, if there are any; it ends there."""
+        panels = [cells for row in self.sheet.rows for cells in row.cells.values()]
+        if not any(cell.unit in TURNING for cells in panels for cell in cells):
+            return []
+        said = Language(self.sheet.language).say("legend sense")
+        runs = roman(f"{ANTICLOCKWISE}\N{NO-BREAK SPACE}{said}")
+        size = GIVEN_SIZE * share
+        return [Mark(Lettering(runs, end - width(runs, size), size), "notes")]
 
     @property
     def legend_width(self) -> float:

@@ -19,7 +19,7 @@ from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Fading, Lettering, Mark, line
 from vad.plan.page.changing import measuring
 from vad.plan.page.heads import REMARK_SIZE, Piece, pieces, type_width
-from vad.plan.page.quarter import NAME_GAP, Entries, figures, lettered
+from vad.plan.page.quarter import NAME_GAP, TURNING, Entries, figures, lettered
 from vad.plan.scene_layout import WORK
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, VELOCITY
@@ -136,7 +136,7 @@ class _Words:
         high = [
             *(REMARK_PITCH * REMARK_SIZE for _ in remark),
             *(EQUATION_PITCH * size for _ in equation),
-            *(ROW_PITCH * SIZE for _ in rows.lines),
+            *(ROW_PITCH * SIZE for _ in (*rows.lines, *rows.sense())),
             2 * GAP,
         ]
         share = min(1.0, self.room.height / sum(high))
@@ -307,6 +307,14 @@ class _Rows:
                 place = first + self._second * shrink - 1j * number * pitch
                 yield from self._shows(cell, place, size)
             y -= pitch * max(1, len(needed), len(own))
+        right = words.room.left + words.room.width
+        yield from (words.item(mark) for mark in self.sense(complex(right, y), share))
+
+    def sense(self, end: complex = 0j, share: float = 1.0) -> list[Mark]:
+        """Return what says in which sense the rates of the rows are positive, if they have any."""
+        cells = (cell.cell for _, both in self._shown for each in both for cell in each)
+        turns = any(cell.unit in TURNING for cell in cells)
+        return self._entries.sense(end, share) if turns else []
 
     def _shows(self, each: _Cell, at: complex, size: float, until: int = FOREVER) -> Iterator[Item]:
         """Yield a cell, in bold while its stroke has just measured it."""
