@@ -104,7 +104,7 @@ class Captions(PolygonCaptions[StepVector]):
     def __init__(self, scene: Scene, order: int) -> None:
         super().__init__(scene, order, scene.rate_unit(order))
         self._scene = scene
-        self._doubled = False
+        self._doubled, self._singles = False, list[str]()
 
     def pole(self, letters: list[str]) -> Sentence:
         """Say which points lie at the pole."""
@@ -178,12 +178,14 @@ class Captions(PolygonCaptions[StepVector]):
         )
 
     def _double(self, label: str) -> Sentence | Listed:
-        """Say why the first vertex with a double prime has it; nothing of the others."""
-        if DOUBLE_PRIME not in label or self._doubled:
+        """Say why a vertex has a double prime: of the first beside which there is a single one."""
+        place = label.find(DOUBLE_PRIME) - 1
+        other, one = label[place:], label[place:].replace(DOUBLE_PRIME, "")
+        self._singles.append(label)
+        if place < 0 or self._doubled or not any(each.endswith(one) for each in self._singles):
             return Listed((), "")
         self._doubled = True
-        other = label[label.index(DOUBLE_PRIME) - 1 :]
-        return self.say("double prime", other=other, one=other.replace(DOUBLE_PRIME, ""))
+        return self.say("double prime", other=other, one=one)
 
     def _known_slide(self, label: str, part: Part[StepVector], slide: Slide) -> Sentence:
         scene = self._scene
