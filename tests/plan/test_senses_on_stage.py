@@ -98,3 +98,13 @@ def test_the_sense_of_each_rate_is_seen_when_it_is_found(name: str, size: tuple[
         assert seen is not None, (cell, scene)
         if stage.sheet.panels[0].picture == "skeleton":  # else a view may be from behind
             assert seen * cell.value > 0.0, (cell, scene)
+
+
+@pytest.mark.parametrize("name", ["atkinson-engine", "offset-lever", "peaucellier"])
+def test_the_given_sense_of_a_crank_between_other_links_is_seen_from_its_stroke_on(name: str):
+    """It has no place on the short crank: it turns about its pivot, on nothing."""
+    stage = stage_of(name, (1280, 720))
+    scene, panel = stage.scene(0), stage.sheet.panel("position")
+    begun = scene.sketches["position"].setting.after(panel.find(stage.sheet.driver.stroke))
+    found = on_links(during((i for i in scene.items if i.region == "0:position"), begun))
+    assert found["ω₂"] == math.copysign(1.0, stage.sheet.driver.omega)

@@ -129,7 +129,7 @@ def least_crossing(obstacles: Obstacles, centre: complex, crank: float, sense: f
     return min(_ahead(crank, sense), key=crossed)
 
 
-def _beside_own(sketch: Sketch, angle: Stroke, place: SensePlace) -> bool:
+def beside_own(sketch: Sketch, angle: Stroke, place: SensePlace) -> bool:
     """Tell whether an arrow stands nearer to the bar that an angle turns than to another link."""
     bars: dict[bool, list[Bar]] = {True: [], False: []}
     for stroke in sketch.setting.panel.strokes:
@@ -187,7 +187,7 @@ def add_free_sense(
         crank, sense = shape.start + shape.sweep, math.copysign(1.0, omega)
         name = rate_of(sketch)
         centre = sketch.scale(shape.centre)
-        apt = partial(_beside_own, sketch, angle)
+        apt = partial(beside_own, sketch, angle)
         place = free_place(sketch.obstacles, centre, crank, sense, name, sizes=sizes, apt=apt)
         if place:
             add_sense(sketch, index, angle, place)

@@ -9,18 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 from vad.plan.items import FOREVER, Item, Level
 from vad.plan.labels.vertices import Vertex, find_vertices, text_at
 from vad.plan.lettering.glyphs import width
 from vad.plan.lettering.runs import roman, symbols
 from vad.plan.marks import Lettering, Mark
-from vad.plan.pictures.angles import sense_arrow
+from vad.plan.pictures.angles import beside_own, free_place, sense_arrow
 from vad.plan.pictures.sense_places import LETTERS, Places, SensePlace
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, POSITION, VELOCITY, Order
 from vad.strokes.reveals import measurer
-from vad.strokes.sheet import Arrow, Body, Plate, Row
+from vad.strokes.sheet import Arc, Arrow, Body, Plate, Row
 from vad.strokes.travels import turning
 
 LETTER = LETTERS[0]
@@ -28,6 +30,8 @@ LETTER = LETTERS[0]
 STILL = 1e-9
 #: So many times the links without room for their arrows are placed before the others.
 ROUNDS = 2
+#: From the arrow of the given ω about its pivot to all strokes.
+FREE = 0.007
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,7 +96,34 @@ def placed_senses(
         if not short:
             break
         order.sort(key=lambda each: each[0] not in short)
-    return best
+    return [*best, *_of_driver(sketch, best, order)]
+
+
+def _of_driver(
+    sketch: Sketch, best: Sequence[tuple[Row, Sense, SensePlace]], order: Sequence[tuple[Row, Any]]
+) -> Iterator[tuple[Row, Sense, SensePlace]]:
+    """Yield the arrow of the given ω about its fixed pivot, if it has no place on its link.
+
+    It may stand nearer to another link than to its own, but on nothing.
+    """
+    setting, driver = sketch.setting, sketch.setting.sheet.driver
+    arcs = [each for each in setting.panel.strokes if each.link == driver.row]
+    placed = [sense for row, sense, _ in best if row.key == driver.row]
+    left = [(row, each) for row, senses in order if row.key == driver.row for each in senses]
+    for angle in (each for each in arcs if isinstance(each.shape, Arc)):
+        assert isinstance(angle.shape, Arc)
+        centre, crank = sketch.scale(angle.shape.centre), angle.shape.start + angle.shape.sweep
+        for row, sense in (each for each in left if each[1] not in placed):
+            taken = sketch.obstacles.copy()
+            for _, _, place in best:
+                place.block(taken)
+            for apt in (partial(beside_own, sketch, angle), lambda _: True):
+                spot = free_place(taken, centre, crank, sense.sign, sense.text, apt=apt)
+                if spot and taken.free(spot.line(centre), 0.0, 0.0, FREE).all():
+                    name = spot.letter(centre, sense.text)
+                    where = (centre, spot.radius, spot.span, spot.middle)
+                    yield row, sense, SensePlace(*where, name, LETTER, 0.0)
+                    break
 
 
 def _ends(
