@@ -83,11 +83,15 @@ def test_headings_have_one_size_on_a_page_and_values_too(name: str, size: tuple[
 )
 def test_the_arrow_of_a_constant_omega_stands_where_no_link_meets_its_name(name: str):
     here = board(name)
-    arrows = [m.shape for item in here.unmoved for m in item.marks if m.role == "sense"]
+    marks = [mark for item in here.unmoved for mark in item.marks]
+    arrows = [mark.shape for mark in marks if mark.role == "sense"]
+    texts = [mark.shape.runs for mark in marks if isinstance(mark.shape, Lettering)]
+    given = [text for text in ("".join(run.text for run in runs) for runs in texts) if "ω2" in text]
     if name in ("swing", "gate-actuator"):  # whose driver has no constant ω
-        assert not arrows
+        assert not arrows and not given
         return
-    (arrow,) = arrows
+    (arrow,), omega = arrows, "−6" if name == "leg" else "10"
+    assert any(f"ω2 {omega} rad/s" in text for text in given)
     assert isinstance(arrow, Bow)
     still = here.panels["position"].picture.still
     assert arrow.sweep * still.setting.sheet.driver.omega > 0.0

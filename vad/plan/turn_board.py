@@ -34,7 +34,7 @@ from vad.plan.sketch import Setting, Sketch
 from vad.plan.turn_layout import lay_out_turn
 from vad.plan.turn_lens import FADE
 from vad.plan.turn_panel import TurnPanel
-from vad.strokes.diagram import Spot
+from vad.strokes.diagram import VELOCITY, Spot
 from vad.strokes.notation import Notation
 from vad.strokes.sheet import Panel, Sheet
 
@@ -72,6 +72,8 @@ class TurnBoard:
         sheet = replace(poses[0], notation=notation)
         if turn.course.swing:  # then it has no one rate
             sheet = replace(sheet, driver=replace(sheet.driver, rate=0.0))
+        else:
+            sheet = replace(sheet, parameters=(*_given_rate(sheet), *sheet.parameters))
         self.sheet = sheet
         names = [panel.name for panel in sheet.panels]
         layout = lay_out_turn(self.form, names)
@@ -167,6 +169,13 @@ class TurnBoard:
         if pin not in moving.ways:
             return []
         return [lines([moving.hodographs.stretch(pin, *cycle.back).tolist()], "return way")]
+
+
+def _given_rate(sheet: Sheet) -> list[tuple[str, float, str]]:
+    """Return the given ω as a parameter: on it depend all values of the curves."""
+    rows = (row for row in sheet.rows if row.key == sheet.driver.row)
+    cells = (cell for row in rows for cell in row.cells.get(VELOCITY.panel, ()))
+    return [(cell.symbol, cell.value, cell.unit) for cell in cells if cell.given]
 
 
 class NumberedTurn(TurnBoard):
