@@ -552,15 +552,14 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "*P*, *Q* und die Gabeln liegen darunter; das Kreuz, 3, ist um *OP* um *ψ_P* = {at_p}° "
-        "gedreht, sin *ψ_P* = sin *β*·sin *θ₄*, um *OQ* um *ψ_Q* = {at_q}°, sin *ψ_Q* = sin "
-        "*β*·cos *θ₂*."
+        "Unten ist *Q* um sin *ψ_P* = sin *β*·sin *θ₄* von der Ebene ⟂ Welle 2 entfernt, *P* um "
+        "sin *ψ_Q* = sin *β*·cos *θ₂* von der ⟂ 4: am Kreuz, 3, *ψ_P* = {at_p}°, *ψ_Q* = {at_q}°."
     ),
     "hooke T": "Die Gerade durch {one} und {other} trifft die Ebene der Wellen in *T*.",
     "hooke other end": "das andere Ende von *O*{pin}",
     "hooke OT": (
-        "*T*, heruntergelotet, ergibt *OT*, den Schnitt der Ebenen von Kreuz und Wellen: tan *τ* = "
-        "tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
+        "*T*, heruntergelotet, ergibt *OT*, den Schnitt der Ebenen von Kreuz und Wellen: nach dem "
+        "Strahlensatz tan *τ* = tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
     ),
     "hooke tau": "*τ*",
     "hooke laid": (
@@ -581,15 +580,16 @@ PHRASES = {
     "hooke line 14 acceleration": "∥ Welle 4 durch {point}, längs *α₄*",
     "hooke cross": (
         "{symbol} = {value} {unit}; *OP* ist ⟂ Welle 2, also *ω₃* = √({crank}² + {size}²) = "
-        "{whole} {unit}."
+        "{whole} {unit}; 1 3 verbindet zwei Ebenen und ist nicht *ω₃*."
     ),
+    "hooke driven": "{symbol} = {value} {unit}; im Umlauf ist es {low} … {high} mal *ω₂*.",
     "hooke fold": (
         "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt: dort haben *OP* und *OQ* "
         "ihre wahre Richtung."
     ),
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* = *ω₂*·tan "
-        "*β*·sin 2*θ₂*·cos² *τ* dreht."
+        "*β*·sin 2*θ₂*·cos² *τ* dreht (tan *τ* abgeleitet)."
     ),
     # Kleins Konstruktion
     "klein rod": "Die Gerade der Stange {b}{c}, verlängert.",

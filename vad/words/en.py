@@ -540,15 +540,14 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "*P*, *Q* and the yokes stand straight below; the cross, 3, is turned about *OP* by *ψ_P* "
-        "= {at_p}°, sin *ψ_P* = sin *β*·sin *θ₄*, about *OQ* by *ψ_Q* = {at_q}°, sin *ψ_Q* = sin "
-        "*β*·cos *θ₂*."
+        "Below, *Q* is sin *ψ_P* = sin *β*·sin *θ₄* off the plane ⟂ shaft 2, *P* sin *ψ_Q* = sin "
+        "*β*·cos *θ₂* off that ⟂ 4: the cross, 3, has *ψ_P* = {at_p}°, *ψ_Q* = {at_q}°."
     ),
     "hooke T": "The line through {one} and {other} meets the plane of the shafts at *T*.",
     "hooke other end": "the other end of *O*{pin}",
     "hooke OT": (
-        "*T*, taken straight down, gives *OT*, where the planes of cross and shafts meet: tan *τ* "
-        "= tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
+        "*T*, taken straight down, gives *OT*, where the planes of cross and shafts meet: in "
+        "proportion tan *τ* = tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
     ),
     "hooke tau": "*τ*",
     "hooke laid": (
@@ -567,15 +566,16 @@ PHRASES = {
     "hooke line 14 acceleration": "∥ shaft 4 through {point}, along *α₄*",
     "hooke cross": (
         "{symbol} = {value} {unit}; *OP* is ⟂ shaft 2, so *ω₃* = √({crank}² + {size}²) = {whole} "
-        "{unit}."
+        "{unit}; 1 3 joins two planes and is not *ω₃*."
     ),
+    "hooke driven": "{symbol} = {value} {unit}; over a turn it is {low} … {high} times *ω₂*.",
     "hooke fold": (
         "The plane of the cross is turned about *OT* into the plane of the shafts: there *OP* and "
         "*OQ* have their true directions."
     ),
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, which turns at *τ̇* = "
-        "*ω₂*·tan *β*·sin 2*θ₂*·cos² *τ*."
+        "*ω₂*·tan *β*·sin 2*θ₂*·cos² *τ*, by differentiating tan *τ*."
     ),
     # Klein's construction
     "klein rod": "The line of the rod {b}{c}, produced.",

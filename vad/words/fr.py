@@ -555,15 +555,14 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "*P*, *Q* et les fourches à l’aplomb ; le croisillon, 3, tourne de *ψ_P* = {at_p}° autour "
-        "de *OP*, sin *ψ_P* = sin *β*·sin *θ₄*, de *ψ_Q* = {at_q}° autour de *OQ*, sin *ψ_Q* = sin "
-        "*β*·cos *θ₂*."
+        "En bas, *Q* est à sin *ψ_P* = sin *β*·sin *θ₄* du plan ⟂ l’arbre 2, *P* à sin *ψ_Q* = sin "
+        "*β*·cos *θ₂* de celui ⟂ 4 : le croisillon, 3, a *ψ_P* = {at_p}°, *ψ_Q* = {at_q}°."
     ),
     "hooke T": "La droite qui joint {one} et {other} perce le plan des arbres en *T*.",
     "hooke other end": "l’autre bout de *O*{pin}",
     "hooke OT": (
         "*T*, reporté à l’aplomb, donne *OT*, où le plan du croisillon coupe celui des arbres : "
-        "tan *τ* = tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
+        "par Thalès, tan *τ* = tan {shafts}°·sin² {theta}°, *τ* = {tau}°."
     ),
     "hooke tau": "*τ*",
     "hooke laid": (
@@ -582,15 +581,16 @@ PHRASES = {
     "hooke line 14 acceleration": "∥ l’arbre 4 par {point}, suivant *α₄*",
     "hooke cross": (
         "{symbol} = {value} {unit} ; *OP* est ⟂ l’arbre 2, donc *ω₃* = √({crank}² + {size}²) = "
-        "{whole} {unit}."
+        "{whole} {unit} ; 1 3 joint deux plans et n’est pas *ω₃*."
     ),
+    "hooke driven": "{symbol} = {value} {unit} ; sur un tour, elle vaut {low} … {high} fois *ω₂*.",
     "hooke fold": (
         "Le plan du croisillon est rabattu autour de *OT* sur celui des arbres : *OP* et *OQ* y "
         "ont leur vraie direction."
     ),
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇* = *ω₂*·tan "
-        "*β*·sin 2*θ₂*·cos² *τ*."
+        "*β*·sin 2*θ₂*·cos² *τ*, en dérivant tan *τ*."
     ),
     # la construction de Klein
     "klein rod": "La droite de la bielle {b}{c}, prolongée.",

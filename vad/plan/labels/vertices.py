@@ -66,14 +66,16 @@ class Vertex:
     """A dot with its letters, in the middle of its ``points``, which have one place.
 
     ``points`` are places on the page, each with what it hangs on.  ``letters`` holds the number of
-    the stroke that brings each, ``ways`` are the directions of the strokes that meet there, and
-    ``in_line`` is how many letters stand in one line.
+    the stroke that brings each, ``ways`` are the directions of the strokes that meet there,
+    ``in_line`` is how many letters stand in one line, and ``radius`` that of the dot, if it is not
+    that of all others.
     """
 
     points: dict[complex, Anchor]
     letters: dict[str, int]
     ways: list[complex] = field(default_factory=list)
     in_line: int = IN_LINE
+    radius: float | None = None
 
     @cached_property
     def at(self) -> complex:
@@ -282,7 +284,8 @@ def wish(
     rivals += [at for at in unnamed if abs(at - vertex.at) > SAME]
     close = [direction_of(vertex.at, at) for at in rivals if SAME < abs(at - vertex.at) < CLOSE_BY]
     first = outward(close or vertex.ways)
-    return Wish(vertex.at, first, *size, radius, near, rivals)
+    own = radius if vertex.radius is None else vertex.radius
+    return Wish(vertex.at, first, *size, own, near, rivals)
 
 
 def _rows(letters: tuple[str, ...], in_line: int) -> list[tuple[str, ...]]:

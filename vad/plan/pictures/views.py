@@ -64,7 +64,7 @@ from vad.strokes.sheet import (
 #: Of sleeves, and of joints and points: two views or three have the room of one mechanism in the
 #: plane, and the joints of a short crank stand apart.
 SIZE, JOINT = 0.8, 0.62
-RADIUS = machine.JOINT_REACH * JOINT
+RADIUS, POINT = machine.JOINT_REACH * JOINT, machine.POINT * JOINT
 NEAR = (0.012, 0.018, 0.026)
 NOTE = 0.030
 NOTE_PITCH = 0.034
@@ -310,10 +310,11 @@ def add_pins(sketch: Sketch, vertices: list[Vertex]) -> None:
     strokes = setting.panel.strokes
     points = {s.label for s in strokes if isinstance(s.shape, Dot) and is_point(s)}
     for vertex in vertices:
-        part = machine.point if points.issuperset(vertex.letters) else machine.joint
+        small = points.issuperset(vertex.letters)
+        part, vertex.radius = (machine.point, POINT) if small else (machine.joint, RADIUS)
         since = setting.after(vertex.since)
         sketch.hang(vertex.since, Level.DOT, [part(vertex.anchor, size=JOINT)], since="after")
-        sketch.obstacles.disc(vertex.at, RADIUS, (since, FOREVER))
+        sketch.obstacles.disc(vertex.at, vertex.radius, (since, FOREVER))
 
 
 def is_point(stroke: Stroke) -> bool:

@@ -58,7 +58,10 @@ class Script(BodyScript):
             size=Figure(abs(swing), unit),
             whole=Figure(magnitude(self.motion.link("cross").omega), unit),
         )
-        return Names(ROWS, axes, measured, "hooke", results={"23": cross}, paced=True)
+        low, high = (Figure(float(f"{ratio:.4g}"), given=True) for ratio in self.ratios)
+        driven = partial(self.scene.say, "hooke driven", low=low, high=high)
+        results = {"23": cross, "14": driven}
+        return Names(ROWS, axes, measured, "hooke", results=results, paced=True)
 
     def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
         if key != "cross":
@@ -85,14 +88,19 @@ class Script(BodyScript):
         hidden = ("4ₙ", "3ₙ", "3" + PRIME)  # where no whole vector ends
         return {x: at for x, at in super().tracks(order).items() if x.letter not in hidden}
 
+    @property
+    def ratios(self) -> tuple[float, float]:
+        """The least and the largest ω₄/ω₂ of a turn."""
+        cosine = math.cos(math.radians(self.sizes["shaft_angle"]))
+        return cosine, 1.0 / cosine
+
     def polygon(self, order: Order) -> Drawing:
         drawing = super().polygon(order)
         if order is not VELOCITY or not drawing.equations:
             return drawing
-        cosine = math.cos(math.radians(self.sizes["shaft_angle"]))
-        alike = math.atan(math.sqrt(cosine))
+        ratios = self.ratios
+        alike = math.atan(math.sqrt(ratios[0]))
         at = (alike, math.pi - alike, math.pi + alike, -alike) if self.sizes["shaft_angle"] else ()
-        ratios = cosine, 1.0 / cosine
         return replace(drawing, inset=speeds(self, "driven", at, ratios, "14.absolute"))
 
     def views(self) -> Drawing:
@@ -152,7 +160,7 @@ class Script(BodyScript):
         tau = self._tau()
         self.tell("OT", theta=self.driven, shafts=shafts, tau=tau)
         construction("T.projector", Curve((t, low["T"])))
-        crossing("T.plan", Dot(low["T"]))  # beside Q there is no room for its letter
+        crossing("T.plan", Dot(low["T"]), label="T")
         way = AXIS * (low["T"] - o) / abs(low["T"] - o)
         construction("OT.line", through(o, way), "cross")
         self.arc("OT.angle", o, TAU, tau, "cross", self.scene.write("hooke tau"))
