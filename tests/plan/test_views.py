@@ -16,6 +16,7 @@ from tests.plan.sheet_of_views import sheet_of_views
 from vad.export.sheet_json import sheet_from_json, to_text
 from vad.plan.format import screen
 from vad.plan.items import Item, Level
+from vad.plan.labels.obstacles import PIXEL
 from vad.plan.labels.placing import distance
 from vad.plan.layout import TALL_VIEWS_SHARE, VIEWS_SHARE
 from vad.plan.lettering.runs import plain
@@ -377,3 +378,15 @@ def test_rows_that_need_much_room_keep_their_words_at_four_to_three(language: st
     ]
     for row in sheet.rows:
         assert any(text.startswith(f"{row.title} {row.letters}") for text in texts)
+
+
+def test_a_leader_ends_at_the_rim_of_a_point():
+    sketch = planned(vad.draw(vad.solve(vad.HookeJoint()))).sketches["position"]
+    found = {}
+    for name in ("T.found", "T.plan"):
+        own = [m for item in sketch.items if item.stroke == f"position:{name}" for m in item.marks]
+        dots = [m.shape for m in own if m.role == "point" and isinstance(m.shape, Disc)]
+        for end in (m.shape.pieces[0][0] for m in own if m.role == "leader"):
+            found[name] = abs(end - dots[-1].centre) - dots[-1].radius
+    assert "T.plan" in found
+    assert all(abs(gap) < 1.5 * PIXEL for gap in found.values()), found

@@ -97,6 +97,8 @@ class Wish:
         Other dots, which it must not seem to name.
     span
         The beats in which it shows.
+    off
+        How far from the rim of the dot a leader ends.
     """
 
     at: complex
@@ -107,6 +109,7 @@ class Wish:
     near: Sequence[float] = (GAP, 0.020)
     rivals: Sequence[complex] = ()
     span: Span = ALWAYS
+    off: float = OFF
 
     def around(self, gap: float, count: int) -> list[complex]:
         """Return the centres of ``count`` boxes about the dot, ``gap`` away, the best first."""
@@ -303,7 +306,7 @@ def far_off(obstacles: Obstacles, wish: Wish, longest: float = math.inf) -> Plac
     through: Placed | None = None
     least, best = math.inf, None
     alone = all(abs(rival - wish.at) > CLOSE_BY for rival in wish.rivals)
-    off = wish.radius + (OFF if alone else 0.0)
+    off = wish.radius + (wish.off if alone else 0.0)
     for tight, far in _far(obstacles.edge, wish):
         if best and (tight or not best.doubt):
             return best

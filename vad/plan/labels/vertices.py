@@ -67,8 +67,8 @@ class Vertex:
 
     ``points`` are places on the page, each with what it hangs on.  ``letters`` holds the number of
     the stroke that brings each, ``ways`` are the directions of the strokes that meet there,
-    ``in_line`` is how many letters stand in one line, and ``radius`` that of the dot, if it is not
-    that of all others.
+    ``in_line`` is how many letters stand in one line, and ``radius`` that of a dot that is smaller
+    than others: a leader ends at its rim.
     """
 
     points: dict[complex, Anchor]
@@ -284,8 +284,8 @@ def wish(
     rivals += [at for at in unnamed if abs(at - vertex.at) > SAME]
     close = [direction_of(vertex.at, at) for at in rivals if SAME < abs(at - vertex.at) < CLOSE_BY]
     first = outward(close or vertex.ways)
-    own = radius if vertex.radius is None else vertex.radius
-    return Wish(vertex.at, first, *size, own, near, rivals)
+    found = Wish(vertex.at, first, *size, radius, near, rivals)
+    return found if vertex.radius is None else replace(found, radius=vertex.radius, off=0.0)
 
 
 def _rows(letters: tuple[str, ...], in_line: int) -> list[tuple[str, ...]]:

@@ -311,10 +311,10 @@ def add_pins(sketch: Sketch, vertices: list[Vertex]) -> None:
     points = {s.label for s in strokes if isinstance(s.shape, Dot) and is_point(s)}
     for vertex in vertices:
         small = points.issuperset(vertex.letters)
-        part, vertex.radius = (machine.point, POINT) if small else (machine.joint, RADIUS)
+        part, vertex.radius = (machine.point, POINT) if small else (machine.joint, None)
         since = setting.after(vertex.since)
         sketch.hang(vertex.since, Level.DOT, [part(vertex.anchor, size=JOINT)], since="after")
-        sketch.obstacles.disc(vertex.at, vertex.radius, (since, FOREVER))
+        sketch.obstacles.disc(vertex.at, vertex.radius or RADIUS, (since, FOREVER))
 
 
 def is_point(stroke: Stroke) -> bool:

@@ -110,8 +110,8 @@ class Script(SlidingScript):
         for letter, way, row in (("A", a, "crank"), ("D", d, "rocker")):
             known(f"star.{letter}", Curve((star, sphere.point(way))), row, f"O{letter}")
         begin = bearing(at["true A"])
-        for letter, way, row in (("B", b, "crank"), ("C", c, "rocker")):
-            construction(f"star.{letter}", Curve((sphere.point(way), star)), row, f"O{letter}")
+        for letter, way in (("B", b), ("C", c)):  # of the coupler's plane
+            construction(f"star.{letter}", Curve((sphere.point(way), star)), None, f"O{letter}")
         start = minimum(0.0, from_b)
         sweep = not_below(0.0, from_b + self.sizes["coupler_twist"]) - start
         great = sphere.circle(ORIGIN, bodies.axis.i, bodies.axis.j, start, sweep)
