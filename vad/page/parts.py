@@ -246,7 +246,7 @@ def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, st
     pieces = pieces_of(step.stroke.said)
     seen = " class=same" if step.repeats else ""
     shown = "" if step.repeats else _beats(step, words)
-    item = f"<li{seen}><a>{shown}</a></li>"
+    item = f"<li{seen}><a>{shown}</a>"  # the next one ends it, or the list
     return item, spoken(pieces, lesson.sheet.language)
 
 

@@ -745,14 +745,14 @@ PHRASES = {
         "{twist}°; at *D* the rocker also slides."
     ),
     "spatial crank": (
-        "The crank *AB* = {size} {unit} stands at {angle}° from *AD*, as seen along its axis."
+        "The crank *AB* = {size} {unit} stands at {angle}° from *AD*, seen along its axis."
     ),
     "spatial b": (
         "The axis at *B* is ⟂ *AB*, {twist}° from that at *A*; on it the coupler turns and slides."
     ),
     "spatial directions": (
         "*OA* to *OD* are ∥ the axes, as in the spherical four-bar: the planes *AOD*, *BOC* meet "
-        "in *OI* at *δ* = {delta}°, *τ* = {tau}° from *OA*, *IB* = {ib}° from *OB*."
+        "in *OI* at *δ* = {delta}°, *τ* = {tau}° from *OA*; *IB* = {ib}°."
     ),
     "spatial slides": "Three slides close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}.",
     "spatial bars": (
@@ -765,7 +765,7 @@ PHRASES = {
     ),
     # the lower polygons
     "spatial pole velocity": (
-        "Below, seen along *DA*: *A* as a point of the rocker, with the velocity *aa₄*."
+        "Below, seen along *DA*: *A* as a point of the rocker, its velocity *aa₄*."
     ),
     "spatial pole acceleration": (
         "Again *A* on the rocker: *ay* and *ya₄* turn with *OI* and change length."

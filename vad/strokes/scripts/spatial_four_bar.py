@@ -111,7 +111,7 @@ class Script(SlidingScript):
             known(f"star.{letter}", Curve((star, sphere.point(way))), row, f"O{letter}")
         begin = bearing(at["true A"])
         for letter, way in (("B", b), ("C", c)):  # of the coupler's plane
-            construction(f"star.{letter}", Curve((sphere.point(way), star)), None, f"O{letter}")
+            guide(f"star.{letter}", Curve((sphere.point(way), star)), None, f"O{letter}")
         start = minimum(0.0, from_b)
         sweep = not_below(0.0, from_b + self.sizes["coupler_twist"]) - start
         great = sphere.circle(ORIGIN, bodies.axis.i, bodies.axis.j, start, sweep)
