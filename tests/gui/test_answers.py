@@ -39,7 +39,7 @@ class Elements(HTMLParser):
 
     def handle_starttag(self, tag: str, attrs: object) -> None:
         self.count[tag] = self.count.get(tag, 0) + 1
-        if tag not in ("br", "col", "input"):
+        if tag not in ("br", "col", "input", "li"):  # the next entry of a list ends one
             self.open.append(tag)
 
     def handle_startendtag(self, tag: str, attrs: object) -> None:

@@ -347,25 +347,24 @@ PHRASES = {
     # position
     "spherical along": "along {axis}",
     "spherical frame": (
-        "The fixed axes pierce the sphere about *O* at *A* and *D*, {size}° apart; *OA* and *OD* "
-        "lie in the paper."
+        "The fixed axes pierce the sphere about *O* at *A* and *D*, {size}° apart; *OA*, *OD* lie "
+        "in the paper."
     ),
     "spherical crank angle": (
-        "Seen along *OA*, the crank stands at {angle}°, counter-clockwise from the arc *AD*."
+        "Seen along *OA*, the crank stands at {angle}°, counter-clockwise from *AD*."
     ),
     "spherical crank": (
-        "*B* turns about *OA* on a circle that is seen as a line: the crank is *AB* = {size}°."
+        "*B* turns about *OA* on a circle seen as a line: the crank is *AB* = {size}°."
     ),
     "spherical C": (
-        "*C* is where two circles cross: about *B* with *BC* = {coupler}°, and about *D* with "
+        "*C* is where two circles cross: about *B* with *BC* = {coupler}°, about *D* with "
         "*DC* = {rocker}°, seen as a line."
     ),
     "spherical bars": (
         "The coupler *BC* stands at *θ_B* = {b}° to the crank, at *θ_C* = {c}° to the rocker *DC*."
     ),
     "spherical rocker angle": (
-        "Seen along *OD*, the rocker stands at {symbol} = {angle}° from the arc *AD*, produced "
-        "beyond *D*."
+        "Seen along *OD*, the rocker stands at {symbol} = {angle}° from *AD*, produced beyond *D*."
     ),
     "spherical I": (
         "The great circles of *BC* and *AD* meet at *I*: the rocker turns about *OI* relative to "
@@ -409,7 +408,7 @@ PHRASES = {
         "The plane of the coupler is turned about *OI* into the paper: *OB* and *OC* are true "
         "there."
     ),
-    "bodies fold again": "Again this plane is turned about *OI* into the paper.",
+    "bodies fold again": "Again the plane is turned about *OI* into the paper.",
     "bodies sines": (
         "{symbol} = *ω₂*·sin *AI* / sin *DI* = {crank} × sin({ai}°) / sin({di}°) = {value} {unit}."
     ),
