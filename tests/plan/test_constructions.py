@@ -17,13 +17,16 @@ import pytest
 import vad
 from tests.kinds import KINDS, SPACE
 from tests.plan.overlaps import planned
+from vad.files.examples import example_path
+from vad.plan.format import screen
 from vad.plan.geometry import Rect
-from vad.plan.items import Item
+from vad.plan.items import Item, together
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Bow, Mark, Polygon, Polyline
 from vad.plan.pictures.constructions import LONG_LEG, place_square
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Block, Dot
+from vad.plan.stage import Stage
+from vad.strokes.sheet import Arrow, Block, Dot
 
 ROOM = Rect(0.0, 0.0, 0.56, 0.35)
 PIXEL = 1 / 720
@@ -119,3 +122,30 @@ def test_it_never_leaves_its_panel(start: complex, degrees: int):
             assert min(along) < 1e-9 < max(along) + 2e-9
             leg = abs(corners[1] - corners[0])
             assert math.isclose(leg, square.size * LONG_LEG)
+
+
+@pytest.mark.parametrize("name", ["jansen-leg", "sewing-machine"])
+def test_a_line_at_an_angle_of_a_link_has_the_arc_of_it_and_its_name_there(name: str):
+    """The arc runs from the side of the image to the line; no two are seen at a time."""
+    sheet = vad.draw(vad.solve(vad.load(example_path(name))()))
+    stage = Stage(sheet, screen((1280, 720)), 0.058)
+    sketch, panel = stage.scene(2).sketches["acceleration"], sheet.panel("acceleration")
+    spans = [tag.span for tag in sketch.tags if tag.text.startswith("∠")]
+    assert not any(together(*pair) for pair in combinations(spans, 2))
+    shapes = [stroke.shape for stroke in panel.strokes if isinstance(stroke.shape, Arrow)]
+    points = {each.head: each.end for each in shapes} | {each.tail: each.start for each in shapes}
+    arcs = {
+        item.stroke: mark.shape
+        for item in sketch.items
+        for mark in item.marks
+        if mark.role == "right angle" and isinstance(mark.shape, Bow)
+    }
+    lines = [each for each in panel.strokes if each.label.startswith("∠")]
+    assert len(spans) == len(arcs) == len(lines) >= 2
+    for stroke in lines:
+        arc, side = arcs[panel.full(stroke.name)], f"{stroke.label[2].lower()}′"
+        assert arc.centre == pytest.approx(sketch.scale(stroke.shape.through))
+        ways = sketch.scale(points[side]) - arc.centre, stroke.shape.direction
+        for way, degrees in zip(ways, (arc.start, arc.start + arc.sweep), strict=True):
+            turned = way * cmath.rect(1.0, -math.radians(degrees))
+            assert cmath.phase(turned) == pytest.approx(0.0, abs=1e-6)

@@ -9,12 +9,14 @@ import math
 from dataclasses import dataclass, replace
 from itertools import pairwise, product
 
+from vad.kinematics.numbers import bearing
 from vad.plan.anchors import RIGHT, Anchor, Solved
 from vad.plan.geometry import Rect
 from vad.plan.items import FOREVER, Level, Span, together
 from vad.plan.labels.obstacles import PIXEL, Obstacles
 from vad.plan.labels.vertices import SIZE, SMALL_SIZE, add_tag
 from vad.plan.marks import (
+    Bow,
     Fading,
     Growth,
     Mark,
@@ -28,11 +30,16 @@ from vad.plan.marks import (
 from vad.plan.reach import is_figure
 from vad.plan.roles import CONSTRUCTION
 from vad.plan.sketch import Sketch
-from vad.strokes.sheet import Line, Panel
+from vad.strokes.arithmetic import Figure
+from vad.strokes.sentences import Sentence
+from vad.strokes.sheet import Line, Panel, Stroke
 
 OVERSHOOT = 0.06  # of a line, past its crossing
 STUB = 0.080
 SQUARE = 0.022
+ARCS = 1.0, 0.8, 1.25, 0.6, 1.5  # times the usual radius of the arc of an angle
+GAP = 0.004  # from that to letters
+ARC, WIDEST_ARC = 0.050, 0.120  # the radius of the arc of an angle, larger of a small one
 FEET = (0.0, 0.25, 0.5)  # of a stub: so much of its line is before it
 PENCIL = 0.0085
 LONG_LEG = 0.26
@@ -154,7 +161,7 @@ def add_construction(sketch: Sketch, index: int, placed: PlacedLine) -> None:
 def name_construction(
     sketch: Sketch, index: int, placed: PlacedLine, points: list[complex]
 ) -> None:
-    """Write a line's name and right angle, which go when it is inked over, and lay the square."""
+    """Write a line's name and its angle, which go when it is inked over, and lay the square."""
     stroke = sketch.setting.panel.strokes[index]
     shape = stroke.shape
     assert isinstance(shape, Line)
@@ -175,8 +182,34 @@ def name_construction(
             ends = hung(foot + 0.6 * length * stub), hung(tip)
             add_tag(sketch, stroke, shape.square_to, ends, SMALL_SIZE, span, span[0], COMING)
     ends = hung(start), hung(placed.end)
+    if arc := _opening(stroke, placed, sketch.obstacles.during(span)):
+        # Two angles of one image are not seen together: their names would be taken for each other.
+        span = span[0], sketch.setting.over(index)
+        mark = Mark(arc, "right angle", placed.row, COMING)
+        sketch.add(stroke, Level.CONSTRUCTION, span[0], [mark], span[1])
+        points = arc.line()
+        sketch.obstacles.line(points, PIXEL, span)
+        ends = hung(points[0]), hung(points[-1])
     add_tag(sketch, stroke, stroke.label, ends, SIZE, span, span[0], COMING)
     add_square(sketch, index, placed)
+
+
+def _opening(stroke: Stroke, placed: PlacedLine, obstacles: Obstacles) -> Bow | None:
+    """Return the arc of the angle at which a line leaves a side of an image; None for others.
+
+    It crosses no letter; where it would with every radius, there is none.
+    """
+    said = stroke.said
+    if not isinstance(said, Sentence) or said.phrase != "image line":
+        return None
+    angle, sense = said.parts["angle"], said.parts["sense"]
+    assert isinstance(angle, Figure) and isinstance(sense, Sentence)
+    sweep = angle.value if sense.phrase == "counter-clockwise" else -angle.value
+    usual = min(max(ARC, ARC / abs(math.radians(sweep))), WIDEST_ARC)
+    arcs = (Bow(placed.start, share * usual, bearing(placed.way) - sweep, sweep) for share in ARCS)
+    return next(
+        (a for a in arcs if obstacles.clear_of_labels([*pairwise(a.line())], GAP).all()), None
+    )
 
 
 def _stub(
