@@ -1,7 +1,7 @@
 """What holds for all tests.
 
 A test that is marked ``exhaustive`` looks at many mechanisms or poses alike.  Usually one case in
-32 of it runs, or one in so many as the mark says; of tests whose marks name the same ``of``,
+64 of it runs, or one in so many as the mark says; of tests whose marks name the same ``of``,
 the same cases run, so that what they look at is made once.  Hypothesis tries the same examples in
 each run.  With ``--exhaustive``, as in ``.ci/nightly``, all cases run, and the examples are new.
 """
@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 from zlib import crc32
 
 import pytest
-from hypothesis import settings
+from hypothesis import given, settings
+from hypothesis.strategies import none
 
 from tests.browser import launched, opened
 
@@ -30,7 +31,7 @@ if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_I
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 #: Of the cases of an exhaustive test one in so many runs usually, and always the first.
-ONE_IN = 32
+ONE_IN = 64
 
 # No test has a limit of time: a machine may be busy.
 settings.register_profile("the same each time", derandomize=True, deadline=None)
@@ -73,13 +74,28 @@ def pytest_collection() -> None:
 
 
 def pytest_collection_finish() -> None:
-    """Let the collector of garbage run less often: drawings are many small objects that stay.
+    """Keep what was collected, which all stays, from the collector of garbage: that takes a tenth.
 
-    Films which tests have let go must not stay, either, so it may not wait for long.
+    Drawings are many small objects that stay, too, so it runs less often.  Films which tests have
+    let go must not stay, so it may not wait for long.
     """
     gc.enable()
     gc.collect()
+    _nothing()
+    gc.freeze()
     gc.set_threshold(4_000, 10, 10)
+
+
+@settings(max_examples=1, database=None)
+@given(none())
+def _nothing(_: None) -> None:
+    """Let hypothesis look once who holds its random numbers: it would not see what is frozen."""
+
+
+@pytest.fixture(scope="session")
+def exhaustive(request: pytest.FixtureRequest) -> bool:
+    """Tell whether all is asked for, to a test that has no cases, but rounds."""
+    return bool(request.config.getoption("--exhaustive"))
 
 
 @pytest.fixture(scope="session")
