@@ -18,11 +18,9 @@ LESSON = vad.animate(SHEET)
 BOTH = np.array([60.0, 61.0])
 
 
-@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("entrance", [calls, files, linkages])
-@pytest.mark.parametrize("first", range(0, 200, 50))
-def test_nothing_that_comes_in_breaks_the_promise(entrance, first):
-    seeds = range(first, first + 50)
+def test_nothing_that_comes_in_breaks_the_promise(entrance, exhaustive):
+    seeds = range(200 if exhaustive else 20)
     found = {seed: entrance.fault(entrance.case(seed), seed) for seed in seeds}
     assert {seed: told for seed, told in found.items() if told} == {}
 

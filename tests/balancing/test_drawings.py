@@ -83,7 +83,7 @@ def test_products_have_a_unit_in_which_they_can_be_read():
     assert vad.draw(vad.balance(inches, length_unit="in")).panel("force").unit == "kg·in"
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @every
 def test_what_a_polygon_finds_stands_in_the_shaft_from_then_on(name):
     """A problem sheet and the beginning of a lecture do not give the found masses away."""

@@ -30,7 +30,7 @@ count = 2
 files = ["problem.pdf", "film.mp4"]
 size = [320, 240]
 fps = 5
-speed = 20
+speed = 100
 [vary]
 crank = { from = 20, to = 90 }
 angle = [30, 60]
@@ -175,7 +175,7 @@ DAMAGE = {
 }
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("damage", DAMAGE)
 @pytest.mark.parametrize("name", ["answers.json", "answers.part.jsonl"])
 def test_of_damaged_answers_one_sheet_is_made_anew(written, contents, tmp_path, damage, name):
@@ -319,6 +319,7 @@ def test_numbers_in_the_cells_of_a_table_may_have_a_fraction(written, tmp_path):
     assert made.files[0].read_bytes() == (tmp_path / "film.srt").read_bytes()
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize(
     ("panels", "found"),
     [

@@ -24,11 +24,11 @@ _PATIENCE = 20
 
 @pytest.fixture
 def batch(written, tmp_path):
-    """Start a batch with three workers as a terminal does; it has a folder for temporary files."""
+    """Start a batch with two workers as a terminal does; it has a folder for temporary files."""
     path = written(LARGE)
     temporary = tmp_path / "temporary"
     temporary.mkdir()
-    words = ["batch", str(path), "-o", str(tmp_path / "out"), "--jobs", "3"]
+    words = ["batch", str(path), "-o", str(tmp_path / "out"), "--jobs", "2"]
     with subprocess.Popen(
         [sys.executable, "-m", "vad", *words],
         stdout=subprocess.PIPE,
@@ -55,7 +55,7 @@ def wait_for(running: subprocess.Popen[str], path: Path) -> None:
         time.sleep(0.01)
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("pause", [0.0, 0.2, 0.4, 0.8])
 @pytest.mark.parametrize(
     ("signals", "code"),

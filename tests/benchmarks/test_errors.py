@@ -89,7 +89,9 @@ def test_no_condition_number_is_below_its_least() -> None:
 
 
 @pytest.mark.parametrize("module", [plane, chains, space])
-def test_it_sees_a_planted_fault(module: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_it_sees_a_planted_fault(
+    module: Any, monkeypatch: pytest.MonkeyPatch, exhaustive: bool
+) -> None:
     """The last digits of every velocity are wrong: a few thousand ε."""
     read_all = module.read_all
 
@@ -98,11 +100,11 @@ def test_it_sees_a_planted_fault(module: Any, monkeypatch: pytest.MonkeyPatch) -
         return {k: x * (1 + (1e-12 if k[2] == "velocity" else 0.0)) for k, x in found.items()}
 
     tally = Tally()
-    for family, pose in itertools.islice(module.poses(3), 6):
+    for family, pose in itertools.islice(module.poses(3), 6 if exhaustive else 2):
         module.compare(tally, family, pose)
     assert not tally.findings
     monkeypatch.setattr(module, "read_all", faulty)
-    for family, pose in itertools.islice(module.poses(3), 9):
+    for family, pose in itertools.islice(module.poses(3), 9 if exhaustive else 5):
         module.compare(tally, family, pose)
     assert sum(finding.key[2] == "velocity" for finding in tally.findings) > 5
 

@@ -30,7 +30,7 @@ def test_it_has_every_mechanism_and_every_bound() -> None:
     assert {line.quantity: int(line.bound) for line in LINES} == BOUNDS
 
 
-@pytest.mark.exhaustive(40)
+@pytest.mark.exhaustive(80)
 @pytest.mark.parametrize("line", LINES, ids=lambda line: " ".join(line[:3]))
 def test_a_pose_gives_the_error_of_the_table(line: table.Line) -> None:
     """On another processor sine and cosine may differ in their last bit."""

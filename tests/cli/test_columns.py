@@ -65,7 +65,7 @@ def test_what_is_wrong_is_said_in_one_line(vad, words, message):
     assert message in result.err.splitlines()[0]
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("kind", ["csv", "json", "xlsx", "png", "svg", "pdf"])
 @pytest.mark.parametrize("words", [(), ("--over", "crank 20 60 5"), ("--columns", "drive")])
 def test_a_sweep_is_saved_as_every_kind_of_file(vad, tmp_path, words, kind):

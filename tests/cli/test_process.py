@@ -131,7 +131,7 @@ def test_a_signal_that_is_ignored_stays_ignored(shell, tmp_path):
     assert (tmp_path / "a.csv").exists()
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive
 @posix
 @pytest.mark.parametrize("output", ["film.mp4", "film.gif", "film/"])
 def test_an_interrupt_in_mid_film(environment, tmp_path, output):

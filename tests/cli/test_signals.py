@@ -17,7 +17,7 @@ pytestmark = pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
 TERMINATED = 128 + 15, 128 + 1  # whichever of the two is heard first
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize(
     ("words", "times"),
     [
@@ -90,7 +90,7 @@ WORK = {
 }
 
 
-@pytest.mark.exhaustive(2)
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("work", WORK)
 def test_a_second_interrupt_ends_any_command_at_once(environment, tmp_path, work):
     """Nothing half-written stays, here or where the system keeps temporary files."""

@@ -81,7 +81,7 @@ def joints(motion: vad.Motion) -> tuple:
     return motion.point("B").position, motion.point("C").position
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("number", range(24))
 def test_faults_are_those_that_a_slow_walk_meets(number: int) -> None:
     """Turn the driver in small steps, from the first position on, in both senses.

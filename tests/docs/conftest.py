@@ -11,8 +11,8 @@ import pytest
 
 from docs.site import ROOT
 
-#: One in so many mechanisms is in the gallery: in the plane, in space and from files.
-EVERY = 14
+#: One in so many mechanisms is in the gallery: in the plane and from files.
+EVERY = 20
 
 
 @pytest.fixture(scope="session")

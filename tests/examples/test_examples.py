@@ -57,6 +57,7 @@ def test_its_words(name):
     assert max(map(len, text.splitlines())) <= 110
 
 
+@pytest.mark.exhaustive(4)
 @every
 def test_it_closes_and_all_is_listed(name):
     motion = moving(name)
@@ -114,6 +115,7 @@ def test_bodies_are_rigid(name):
             assert aside == pytest.approx(np.full(5, aside[0]), abs=1e-10 * abs(head - tail).max())
 
 
+@pytest.mark.exhaustive(4)
 @every
 def test_rates_are_derivatives(name):
     """Over a moment before and after, the driver moving evenly."""

@@ -113,7 +113,7 @@ def test_same_film_same_bytes(folder: Path, painter: None, path: str) -> None:
 class TestInterruption:
     """Whenever it comes, the old film stays and nothing else does."""
 
-    @pytest.mark.exhaustive(3)
+    @pytest.mark.exhaustive(6)
     @pytest.mark.parametrize("path", FILMS)
     @pytest.mark.parametrize("kind", [KeyboardInterrupt, SystemExit, OSError])
     def test_at_any_frame(
@@ -141,7 +141,7 @@ class TestInterruption:
             assert contents(folder) == old
             assert os.listdir() == [path.rstrip("/")]
 
-    @pytest.mark.exhaustive(3)
+    @pytest.mark.exhaustive(6)
     @pytest.mark.parametrize("path", FILMS)
     def test_from_the_keyboard(self, folder: Path, path: str) -> None:
         code = """
@@ -179,7 +179,7 @@ save(synthetic.lesson(), sys.argv[1])
         assert len(os.listdir()) == len(old)
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize("path", FILMS)
 def test_full_disk(folder: Path, path: str) -> None:
     """A file that cannot grow stands for a disk that is full, at whatever byte that happens."""
@@ -210,7 +210,7 @@ for limit in (0, size // 4, size // 2, size - 1):
     assert os.listdir() == [path.rstrip("/")]
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize("path", FILMS)
 def test_memory_does_not_grow_with_the_film(folder: Path, path: str) -> None:
     code = """

@@ -148,7 +148,8 @@ def test_curves_have_the_values_of_their_columns_and_gaps(table):
 
 
 @pytest.mark.usefixtures("settings")
-@pytest.mark.parametrize("language", ["en", "de", "fr"])
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("language", ["de", "en", "fr"])
 def test_names_of_curves_touch_nothing_and_stay_on_the_page(table, language):
     figure = figure_of(table, language)
     for axes in figure.axes:

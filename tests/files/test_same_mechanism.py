@@ -29,6 +29,7 @@ def motion(kind, case) -> vad.Motions:
     return vad.solve(kind(), **dict(zip(kind.inputs, [places, *case["rates"]], strict=True)))
 
 
+@pytest.mark.exhaustive(4)
 @each
 def test_relabelled_and_in_another_order(name):
     """Points take other letters, tables run backward; the first pair of a link stays first."""
@@ -61,6 +62,7 @@ def test_relabelled_and_in_another_order(name):
         assert mine.link(link).omega == pytest.approx(own.link(link).omega, rel=1e-11, abs=1e-11)
 
 
+@pytest.mark.exhaustive(4)
 @each
 def test_turned_and_moved_as_a_whole(name):
     given, case = tables(name), BY_NAME[name]

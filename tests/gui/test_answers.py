@@ -49,6 +49,7 @@ class Elements(HTMLParser):
         assert self.open.pop() == tag
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize(("name", "parameters"), [*SET, *BARE])
 def test_a_pose_has_the_numbers_of_vad_solve(ask: Ask, capsys, name, parameters):
     answer = ask("pose", name, parameters=parameters)
@@ -57,6 +58,7 @@ def test_a_pose_has_the_numbers_of_vad_solve(ask: Ask, capsys, name, parameters)
     assert answer["results"] == json.loads(capsys.readouterr().out)
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize(("name", "parameters"), SET)
 def test_a_pose_is_short_and_whole(client: TestClient, name, parameters):
     question = {"mechanism": name, "parameters": parameters}
@@ -85,6 +87,7 @@ def test_a_pose_is_short_and_whole(client: TestClient, name, parameters):
     assert again.json()["ways"] == second["ways"]
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize(
     ("name", "parameters"),
     [
@@ -137,7 +140,7 @@ def test_a_page_that_knows_the_mechanism_is_not_told_it_again(ask: Ask):
     assert len(other["layers"]) == 3
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_a_fair_copy_is_short(client: TestClient, name):
     first = client.post("/api/lesson", json={"mechanism": name})
@@ -302,7 +305,7 @@ def test_files_open(client: TestClient):
     assert wrong.json()["error"]["kind"] == "assembly"
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize(
     ("name", "parameters"),
     [("gate-actuator", {}), ("double-slider", {}), ("four-bar", {"crank": 130}), *RAMS.items()],

@@ -70,7 +70,7 @@ _TRACED = ["devtools.timeline", "disabled-by-default-devtools.timeline"]
 WINDOW = 320
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("name", MOST)
 def test_a_move_sets_no_more_than_it_moves_and_asks_nobody(browser: Browser, name: str) -> None:
     with served(ExportQuestion(name)) as key:
@@ -135,6 +135,7 @@ def work(events: dict[str, Any]) -> tuple[float, float, float]:
     return median(styled), objects, median(not each["partialLayout"] for each in laid)
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("name", MOST)
 def test_a_lesson_and_the_window_have_so_many_bytes(name: str) -> None:
     answer = lesson(LessonQuestion(name))

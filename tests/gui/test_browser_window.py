@@ -408,13 +408,11 @@ def test_the_address_has_all_that_is_set(window: Page, address: str):
     other.close()
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize("code", languages())
-def test_every_mechanism_in_every_language(
-    window: Page, address: str, code: str, request: pytest.FixtureRequest
-):
+def test_every_mechanism_in_every_language(window: Page, address: str, code: str, exhaustive: bool):
     """In a usual run one mechanism in six is looked at, and one in the other languages."""
-    every = 1 if request.config.getoption("--exhaustive") else 6
+    every = 1 if exhaustive else 6
     window.goto(f"{address.partition('?')[0]}?lang={code}")
     still(window)
     assert window.evaluate("document.documentElement.lang") == code
@@ -440,7 +438,7 @@ def test_every_mechanism_in_every_language(
         assert "Kurbel\u00a040,5" in window.locator("header p").inner_text()
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("width", [320, 700, 1000])
 def test_a_narrow_window_has_all_of_it(window: Page, address: str, width):
     window.goto(address.partition("?")[0])

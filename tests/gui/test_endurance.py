@@ -19,7 +19,7 @@ from tests.gui.test_command import started
 from vad.mechanisms import MECHANISMS
 
 #: How many moves each client makes; ten thousand take some minutes: VAD_FULL=1.
-MOVES = 10_000 if os.environ.get("VAD_FULL") else 30
+MOVES = 10_000 if os.environ.get("VAD_FULL") else 12
 #: So many at first, until all that is kept on purpose is there; and the most that comes then, in
 #: bytes.
 WARM, MOST = 24, 96e6

@@ -108,6 +108,7 @@ def spent(work: Callable[[], object]) -> float:
     return time.thread_time() - begun
 
 
+@pytest.mark.exhaustive
 def test_nothing_is_worked_out_twice(hand: Hand):
     alone = calls(hand.draw)
     assert calls(hand.move) <= MOVE * alone

@@ -166,6 +166,7 @@ CHECKS = [
 ]
 
 
+@pytest.mark.exhaustive(4)
 @in_the_plane
 def test_polygons_are_as_they_should(name: str) -> None:
     """A sheet is drawn once, and asked everything."""

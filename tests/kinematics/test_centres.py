@@ -98,6 +98,7 @@ def test_both_bodies_have_one_velocity_in_their_centre(name, share, seed):
     assert max(slips.values()) < CLOSE, slips
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("name", NAMES)
 def test_all_centres_are_found(name):
     moved = pose(MACHINES[name](), 0.31)

@@ -12,7 +12,7 @@ from vad.kinematics.program import Program
 from vad.kinematics.recording import OPERATIONS, Tape
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
 def test_it_is_the_slope_of_every_result(kind):
     motion = vad.solve(kind())

@@ -98,7 +98,7 @@ def poses(inputs: dict[str, Any]) -> Iterator[tuple[float, ...]]:
     return ((float(value), rate, second_rate) for value in place)
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("name", PLANE)
 @settings(max_examples=4, deadline=None, suppress_health_check=list(HealthCheck))
 @given(data=st.data())

@@ -44,7 +44,7 @@ def dense(solver: Solver) -> np.ndarray[Any, Any]:
 
 # Chains that a grid of even steps over the farthest place of a slide once answered wrongly, and
 # some others.
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("seed", [21, 51, 159, 178, 190, 222, 238, 243, 286, 376, *range(14)])
 def test_random_chains_close_in_their_ranges_and_nowhere_else(seed: int) -> None:
     mechanism = chain(seed)

@@ -14,6 +14,7 @@ from vad.kinematics.refined import is_refined
 LOOPS = ["RRR", "RPR aside", "RRP on a link", "RPP", "RRP", "RRR"]
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("start", ["crank", "trammel", "strut"])
 def test_places_are_rounded_once(start: str, seed: int) -> None:

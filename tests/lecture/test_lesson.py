@@ -72,7 +72,7 @@ def test_panels_move_after_the_last_stroke_of_each_scene_and_never_back():
         assert after.scene == before.scene or after.beat == before.beat
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("most", [30.0, 15.0, 12.0, 9.0, 0.1])
 def test_what_moves_may_have_fewer_states_in_the_same_time(most: float):
     lesson = animate(slider_crank(), fps=30)

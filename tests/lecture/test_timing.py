@@ -87,7 +87,7 @@ def test_a_last_stroke_with_few_words_stands_before_the_panels_move():
         check_last(lesson_of(name))
 
 
-@pytest.mark.exhaustive(16)
+@pytest.mark.exhaustive(32)
 @pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("name", MEASURED)
 def test_every_caption_can_be_read_and_no_film_is_much_longer(name: str, language: str):
@@ -102,7 +102,7 @@ def test_every_caption_can_be_read_and_no_film_is_much_longer(name: str, languag
     check_last(lesson)
 
 
-@pytest.mark.exhaustive(16)
+@pytest.mark.exhaustive(32)
 @pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("name", list(vad.MECHANISMS))
 def test_a_calculation_is_said_in_three_beats(name: str, language: str):

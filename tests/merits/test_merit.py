@@ -165,7 +165,7 @@ def test_a_narrow_peak_is_found():
 # --- invariants ---------------------------------------------------------------------------------
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
 def test_no_pose_is_beyond_the_extremes(kind):
     mechanism = kind()

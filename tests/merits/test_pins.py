@@ -46,7 +46,7 @@ def test_the_slowest_point_of_a_rod_by_hand():
     assert point.distance == pytest.approx(across / -motion.link("rod").omega, rel=1e-14)
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("kind", PLANE, ids=lambda kind: kind.name)
 def test_no_point_of_a_link_is_slower(kind):
     motion = vad.solve(kind())

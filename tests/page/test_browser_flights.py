@@ -155,7 +155,7 @@ def test_a_vector_leaves_its_source_and_lands_in_its_place(
 def test_the_image_of_a_link_with_three_points_lands_on_its_triangle(
     browser: Browser, tmp_path: Path
 ) -> None:
-    html = written(vad.load(example_path("stephenson-1"))())
+    html = written(vad.load(example_path("stephenson-3"))())
     flights = bundle_of(html)[1]["flights"].items()
     number = next(int(place) for place, each in flights if each[1] == "area")
     with opened(browser, viewport={"width": 1280, "height": 720}) as page:

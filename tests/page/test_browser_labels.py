@@ -39,18 +39,16 @@ def check(found: dict[str, Any]) -> None:
     assert found["candidates"] < 1500
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("name", USUAL)
 def test_labels_stay_readable(name: str, page: Page) -> None:
     check(walked(page, name, 90))
 
 
-def test_labels_of_all_mechanisms_stay_readable_in_360_poses(
-    page: Page, request: pytest.FixtureRequest
-) -> None:
+def test_labels_of_all_mechanisms_stay_readable_in_360_poses(page: Page, exhaustive: bool) -> None:
     """In a usual run one mechanism in eighteen is looked at."""
     hidden, labels = 0.0, 0
-    for name in NAMES if request.config.getoption("--exhaustive") else NAMES[::18]:
+    for name in NAMES if exhaustive else NAMES[::18]:
         found = walked(page, name, 360)
         check(found)
         hidden, labels = hidden + found["hidden"], labels + found["labels"]

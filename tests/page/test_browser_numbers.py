@@ -56,7 +56,7 @@ def error(found: dict[str, Any], wanted: dict[str, Any]) -> float:
     return worst
 
 
-@pytest.mark.exhaustive(96)
+@pytest.mark.exhaustive(192)
 @pytest.mark.parametrize("name", KINDS)
 def test_a_page_answers_as_solve_does(name: str, browser: Browser, tmp_path: Path) -> None:
     mechanism: Mechanism = KINDS[name]()

@@ -76,7 +76,7 @@ def moment(x: float, strokes: int) -> Moment:
     return Moment(drawing(number), smooth(x - number)) if x > number else Moment(done(number))
 
 
-@pytest.mark.exhaustive(128)
+@pytest.mark.exhaustive(256)
 @pytest.mark.parametrize(("name", "style", "every"), LESSONS)
 def test_the_page_shows_what_the_painter_paints(
     name: str, style: str, every: int, browser: Browser, tmp_path: Path

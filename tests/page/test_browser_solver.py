@@ -174,13 +174,13 @@ def calculation(case: str) -> tuple[Program, list[int]]:
     return recorded.program(tuple(listed)), [0, *orders]
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("case", CASES)
-def test_a_browser_finds_the_bits_of_python(case: str, page: Page, request: Any) -> None:
+def test_a_browser_finds_the_bits_of_python(case: str, page: Page, exhaustive: Any) -> None:
     """The arc tangents may differ in the last place; with them, all other numbers are Python's."""
     program, _ = calculation(case)
     arcs = [step for step in program.steps if step.operation == "arctan2"]
-    table = poses(mechanism(case), 10_000 if request.config.getoption("--exhaustive") else 300)
+    table = poses(mechanism(case), 10_000 if exhaustive else 300)
     whole = Program(program.inputs, [*program.outputs, *arcs])
     load(page, script(whole), script(program))
     found = play(page, whole, table[:, : len(program.inputs)])

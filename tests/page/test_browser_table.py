@@ -42,7 +42,7 @@ def opened_hand(page: Page, folder: Path, name: str) -> None:
     expect(page.locator(".turned:not(.staged)")).to_have_count(1)
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("name", ["spatial-four-bar", "oscillating-cylinder", "double-slider"])
 def test_numbers_stay_in_their_columns(name: str, browser: Browser, tmp_path: Path) -> None:
     size = {"width": 1280, "height": 720}

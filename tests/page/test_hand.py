@@ -36,19 +36,27 @@ def test_every_number_of_the_table_that_changes_follows(name: str) -> None:
                     assert (number, column, place) in follows, (one.symbol, panel.name)
 
 
-def test_a_dimension_has_the_unit_of_its_quantity() -> None:
-    def units(name: str) -> dict[str, tuple[str, float, float]]:
-        mechanism: Any = vad.MECHANISMS.get(name) or vad.load(str(EXAMPLES[name]))
-        board = turned_board(vad.animate(vad.draw(vad.solve(mechanism()))))
-        assert board
-        found = dimensions(board, list(board.mechanism.inputs))
-        return {each[0]: (each[4], each[2], each[3]) for each in found}
-
-    assert units("double-slider")["guide_b"] == ("°", 45.0, 135.0)
-    assert units("excavator-bucket")["CAT"] == ("°", -155.0, -65.0)
-    assert units("shaper")["BAF"][0] == "°"
-    assert units("gate-actuator")["arm"][0] == "ft"
-    assert units("pantograph")["ratio"][0] == ""
+@pytest.mark.exhaustive(3)
+@pytest.mark.parametrize(
+    ("name", "dimension", "unit", "ends"),
+    [
+        ("double-slider", "guide_b", "°", (45.0, 135.0)),
+        ("excavator-bucket", "CAT", "°", (-155.0, -65.0)),
+        ("shaper", "BAF", "°", None),
+        ("gate-actuator", "arm", "ft", None),
+        ("pantograph", "ratio", "", None),
+    ],
+)
+def test_a_dimension_has_the_unit_of_its_quantity(
+    name: str, dimension: str, unit: str, ends: tuple[float, float] | None
+) -> None:
+    mechanism: Any = vad.MECHANISMS.get(name) or vad.load(str(EXAMPLES[name]))
+    board = turned_board(vad.animate(vad.draw(vad.solve(mechanism()))))
+    assert board
+    found = {each[0]: each for each in dimensions(board, list(board.mechanism.inputs))}
+    _, _, low, high, shown = found[dimension][:5]
+    assert shown == unit
+    assert ends in (None, (low, high))
 
 
 def test_an_equation_holds_in_every_position() -> None:

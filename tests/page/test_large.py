@@ -45,7 +45,7 @@ def enlarged(name: str) -> tuple[Plan, HandBoard, Inker, Mapping[str, Large]]:
     return board, turned, inker, large_panels(board, turned, inker)
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", [*NAMES, HALVES])
 def test_drawings_grow_and_letters_have_the_size_in_which_they_are_read(name: str) -> None:
     board, _, inker, panels = enlarged(name)
@@ -76,7 +76,8 @@ def test_drawings_grow_and_letters_have_the_size_in_which_they_are_read(name: st
                 assert factor * here + by == pytest.approx(there, abs=0.1)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", NAMES[::-1])
 def test_a_mechanism_has_room_for_all_its_poses(name: str) -> None:
     board, turned, _, panels = enlarged(name)
     panel = board.sheet.panels[0]

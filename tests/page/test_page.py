@@ -40,7 +40,7 @@ def test_a_page_is_small(name: str, whole: bool) -> None:
     assert len(page_of(name, whole=whole).encode()) <= LARGEST
 
 
-@pytest.mark.exhaustive(64)
+@pytest.mark.exhaustive(128)
 @pytest.mark.parametrize("name", example_names())
 def test_the_page_of_an_example_is_small(name: str) -> None:
     lesson = vad.animate(vad.draw(vad.solve(vad.load(example_path(name))())))
@@ -49,7 +49,7 @@ def test_the_page_of_an_example_is_small(name: str) -> None:
 
 def test_the_same_lesson_gives_the_same_bytes() -> None:
     lesson = lesson_of("four-bar")
-    assert document(lesson) == document(lesson) == page_of("four-bar")
+    assert document(lesson) == page_of("four-bar")
 
 
 def test_it_asks_for_nothing_and_runs_its_own_scripts() -> None:
@@ -118,9 +118,10 @@ def test_inks_can_be_read_as_letters(name: str) -> None:
 
 def test_a_sheet_opens_finished_and_a_lesson_at_its_first_stroke(tmp_path: Path) -> None:
     lesson = lesson_of("four-bar")
-    for thing, start in ((lesson, 0), (lesson.sheet, len(lesson.steps))):
-        vad.save(thing, tmp_path / "a.html")
-        assert bundle_of((tmp_path / "a.html").read_text("utf-8"))[1]["start"] == start
+    assert bundle_of(page_of("four-bar"))[1]["start"] == 0
+    vad.save(lesson.sheet, tmp_path / "a.html")
+    opened = bundle_of((tmp_path / "a.html").read_text("utf-8"))
+    assert opened[1]["start"] == len(lesson.steps)
 
 
 def test_the_command_line_writes_pages(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -167,7 +168,7 @@ def test_the_letters_of_new_results_are_there_in_bold_and_of_given_ones_plain():
 
 
 def test_results_that_have_not_the_room_are_smaller():
-    html = "".join(page_of(name) for name in ("hooke-joint", "spatial-four-bar", "whitworth"))
+    html = "".join(page_of(name) for name in ("hooke-joint", "spatial-four-bar"))
     sizes = [int(size) for size in re.findall(r'<div[^>]*style="font-size:(\d+)%"', html)]
     assert len(sizes) > 5
     assert 60 < min(sizes) < 85

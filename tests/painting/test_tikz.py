@@ -56,7 +56,7 @@ class Wordless:
             self._paint(mark, look)
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("style", ["paper", "print", "chalk"])
 def test_it_is_the_picture_of_every_other_painter(tmp_path: Path, style: str):
     shown = posed(SHEET, style=style)
@@ -71,7 +71,7 @@ def test_it_is_the_picture_of_every_other_painter(tmp_path: Path, style: str):
     assert (np.abs(other - other[0, 0]).max(axis=2) > 100).mean() > 1e-2  # there is something
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("kind", ["sheet", "still", "turn", "poses", "problem", "space", "forces"])
 def test_letters_and_all_compile(tmp_path: Path, kind: str):
     motion = vad.solve(vad.SliderCrank())

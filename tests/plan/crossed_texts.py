@@ -10,6 +10,7 @@ import sys
 from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -64,9 +65,10 @@ def kind_of(name: str) -> type:
     return vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
 
 
-def stage_of(name: str, size: tuple[int, int] = (1280, 720)) -> Stage:
+@lru_cache(maxsize=32)
+def stage_of(name: str, size: tuple[int, int] = (1280, 720), language: str = "en") -> Stage:
     """Return the stage of the lecture of a mechanism or an example, as it is without options."""
-    sheet = vad.draw(vad.solve(kind_of(name)()))
+    sheet = vad.draw(vad.solve(kind_of(name)()), language=language)
     return Stage(sheet, screen(size), KEY, travels(sheet))
 
 

@@ -5,7 +5,7 @@ In comes a sheet as it would be painted, out go sentences, none if all is well.
 
 from __future__ import annotations
 
-from collections import OrderedDict
+from collections import deque
 from itertools import combinations
 
 from vad.plan.board import Plan, plan
@@ -21,25 +21,25 @@ from vad.strokes.travels import travels
 KEY = 0.058
 
 
-#: The plans that were asked for last, by their sheet itself: tests that look at the same sheet
-#: make its plan once.
-_MADE: OrderedDict[tuple[int, tuple[int, int], bool, bool], tuple[Sheet, Plan]] = OrderedDict()
-_KEPT = 128
+#: The plans that were asked for last, each with its sheet: tests that look at equal sheets make
+#: their plan once.
+_MADE: deque[tuple[tuple[object, ...], Sheet, Plan]] = deque(maxlen=128)
 
 
 def planned(
     sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False, flying: bool = False
 ) -> Plan:
     """Return the plan of a sheet on a screen, with the keys of most styles."""
-    # Of a sheet that is kept with its plan, so that no other has the key.
-    key = id(sheet), size, lesson, flying
-    if key not in _MADE:
+    asked = size, lesson, flying, sheet.source is None
+    for made in _MADE:
+        if made[0] == asked and (made[1] is sheet or made[1] == sheet):
+            _MADE.remove(made)
+            break
+    else:
         flights = travels(sheet) if flying else None
-        _MADE[key] = sheet, plan(sheet, screen(size), KEY, lesson, travels=flights)
-        if len(_MADE) > _KEPT:
-            _MADE.popitem(last=False)
-    _MADE.move_to_end(key)
-    return _MADE[key][1]
+        made = asked, sheet, plan(sheet, screen(size), KEY, lesson, travels=flights)
+    _MADE.append(made)  # the last one that was asked for
+    return made[2]
 
 
 def overlaps(sheet: Sheet, size: tuple[int, int] = (1280, 720), lesson: bool = False) -> list[str]:

@@ -470,7 +470,7 @@ def same(one: Any, other: Any) -> bool:
     return one == pytest.approx(other, abs=1e-9) if isinstance(one, float) else bool(one == other)
 
 
-@pytest.mark.exhaustive(16)
+@pytest.mark.exhaustive(32)
 @pytest.mark.parametrize("name", KINDS)
 def test_every_vertex_of_a_few_poses_is_where_it_belongs(name):
     mechanism = reach_of(name)[0]
@@ -479,9 +479,9 @@ def test_every_vertex_of_a_few_poses_is_where_it_belongs(name):
 
 @pytest.mark.exhaustive(1000)
 @pytest.mark.parametrize("name", KINDS)
-def test_every_vertex_of_many_poses_is_where_it_belongs(name, request):
+def test_every_vertex_of_many_poses_is_where_it_belongs(name, exhaustive):
     """In a usual run a fifth of the poses is looked at."""
-    poses = POSES if request.config.getoption("--exhaustive") else POSES // 5
+    poses = POSES if exhaustive else POSES // 5
     assert check(name, driven(reach_of(name)[0], poses, seed=2)) > 50 * poses
 
 

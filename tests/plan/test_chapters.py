@@ -46,7 +46,7 @@ def dark(stage: Stage, moment: Moment) -> float:
     return sum((end - start).real for start, end in pieces)
 
 
-@pytest.mark.exhaustive(64)
+@pytest.mark.exhaustive(128)
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("name", EVERY)
 def test_chapters_stand_on_the_page_below_every_caption(name: str, size: tuple[int, int]) -> None:
@@ -109,7 +109,7 @@ def test_a_lesson_without_an_answer_has_no_chapter_of_it() -> None:
     assert dark(stage, Moment(stage.finished)) == dark(stage, Moment(done(len(lesson.steps))))
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("language", languages())
 @pytest.mark.parametrize("name", ["spherical-four-bar", "hooke-joint"])
 def test_names_have_room_in_every_language(name: str, language: str) -> None:

@@ -71,6 +71,7 @@ def near(one, other):
     return all(abs(a - b) < 1e-12 for a, b in zip(one, other, strict=True))
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize(("crank", "offset", "angle", "omega"), POSES)
 def test_the_figure_of_klein_flies_from_its_points_to_the_vertices(crank, offset, angle, omega):
     motion = vad.solve(vad.SliderCrank(crank=crank, offset=offset), angle=angle, omega=omega)
@@ -167,7 +168,7 @@ def shafts(board):
             yield found[item.stroke], item, flying
 
 
-@pytest.mark.exhaustive(24)
+@pytest.mark.exhaustive(48)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_what_travels_is_its_source_times_a_rate(name):
     """ab is AB times iω, a normal component BA times ω², Coriolis' v times 2iω."""
@@ -197,13 +198,13 @@ def test_what_travels_is_its_source_times_a_rate(name):
         assert found == pytest.approx(wanted, rel=1e-6), stroke
 
 
-@pytest.mark.exhaustive(24)
+@pytest.mark.exhaustive(48)
 @pytest.mark.parametrize("name", sorted(MACHINES))
-def test_vectors_fly_from_their_source_to_their_vertices(name, request):
+def test_vectors_fly_from_their_source_to_their_vertices(name, exhaustive):
     """In a usual run on one page."""
     _, sheet = moving(name)
     sizes = ((1280, 720), (1024, 768))
-    for size in sizes if request.config.getoption("--exhaustive") else sizes[:1]:
+    for size in sizes if exhaustive else sizes[:1]:
         board = filmed(sheet, size)
         rest = {item: board.shown(item.since + 1) for item in flights(board)}
         for travel, item, marks in shafts(board):
@@ -245,6 +246,7 @@ def test_nothing_flies_off_the_page(name):
                     assert board.regions[FLIGHT].holds(z), (travel, share)
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
 def test_on_a_stage_vectors_leave_the_small_pictures(size):
     _, sheet = moving("whitworth with ram")
@@ -305,7 +307,7 @@ def test_a_vector_longer_than_the_picture_that_it_leaves_grows_where_it_lands(na
     assert found
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize(
     "name", ["stephenson-3", "sewing-machine", "leg-from-coordinates", "drag-link", "four-bar"]
 )
@@ -460,7 +462,7 @@ def test_a_vector_too_short_to_be_seen_flies_as_a_longer_one_and_shrinks_where_i
     assert all(found.values())
 
 
-@pytest.mark.exhaustive(32, of="flights")
+@pytest.mark.exhaustive(64, of="flights")
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_a_copy_stays_beside_its_source_until_it_flies(name):
     """It turns and is stretched where it has lifted off: at the end of its link, if it slides."""
@@ -478,7 +480,7 @@ def test_a_copy_stays_beside_its_source_until_it_flies(name):
                 assert abs(places[0] - pin) < STAYS, item.stroke
 
 
-@pytest.mark.exhaustive(32, of="flights")
+@pytest.mark.exhaustive(64, of="flights")
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_no_flight_has_a_kink_or_a_leap(name):
     for _, item, marks in shafts(filmed(moving(name)[1])):
@@ -493,7 +495,7 @@ def test_no_flight_has_a_kink_or_a_leap(name):
                 assert max(abs(a - b) for a, b in zip(one, other, strict=True)) < 0.09
 
 
-@pytest.mark.exhaustive(32, of="flights")
+@pytest.mark.exhaustive(64, of="flights")
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_a_copy_of_a_link_that_points_back_is_nearest_to_its_own_link(name):
     """In a small picture, too, where other links are as near as a copy usually lifts off."""

@@ -103,12 +103,10 @@ def posed(board: HandBoard, inputs: dict[str, float]) -> dict[str, Sketch]:
     return sketches
 
 
-@pytest.mark.exhaustive(96)
+@pytest.mark.exhaustive(192)
 @pytest.mark.parametrize("name", KINDS)
-def test_one_traced_board_is_the_board_of_every_pose(
-    name: str, request: pytest.FixtureRequest
-) -> None:
-    tried = POSES if request.config.getoption("--exhaustive") else FEW
+def test_one_traced_board_is_the_board_of_every_pose(name: str, exhaustive: bool) -> None:
+    tried = POSES if exhaustive else FEW
     board = board_of(name)
     found = coordinates(dict(board.sketches))
     program = board.traced.program(found.values())

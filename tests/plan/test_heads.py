@@ -16,6 +16,7 @@ from vad.words import languages
 GAP = 0.015
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("omega", [10.0, 1000.0])
 @pytest.mark.parametrize("size", [(1280, 720), (1080, 720), (1024, 768), (600, 800)])
 @pytest.mark.parametrize("code", languages())

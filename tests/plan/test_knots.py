@@ -19,7 +19,7 @@ PAIRS = 6
 CROWDED = {"beam-engine", "shaper"}
 
 
-@pytest.mark.exhaustive(96, of="stills")
+@pytest.mark.exhaustive(192, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_points_that_look_like_one_are_told_apart(name: str, step: int):

@@ -95,7 +95,7 @@ def crowded(board: Plan, start: complex, end: complex) -> bool:
     return at_end or min(nearest(spot, bars) for spot in spots) < SQUARE * size
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("omega", [10.0, -10.0])
 @pytest.mark.parametrize("angle", [5, 60, 130, 200, 275, 330])
 @pytest.mark.parametrize("name", CRANKS)
@@ -108,7 +108,7 @@ def test_the_velocity_of_a_crank_is_marked_square_to_it(name: str, angle: float,
         assert not marked(board.items), "in its block"
 
 
-@pytest.mark.exhaustive(16)
+@pytest.mark.exhaustive(32)
 @pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
 @pytest.mark.parametrize("name", example_names())
 def test_cranks_of_examples_are_marked_likewise(name: str, size: tuple[int, int]):

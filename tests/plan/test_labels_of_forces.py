@@ -35,7 +35,7 @@ def places_on(bodies):
     return [(at, on) for at, owners in bodies.at.items() for on in owners]
 
 
-@pytest.mark.exhaustive(18)
+@pytest.mark.exhaustive(36)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_one_load_anywhere(name):
     machine = MACHINES[name]()
@@ -50,7 +50,7 @@ def test_one_load_anywhere(name):
         assert overlaps(sheet) == [], (share, load)
 
 
-@pytest.mark.exhaustive(36)
+@pytest.mark.exhaustive(72)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_a_force_a_couple_and_a_mass_in_motion(name):
     """Four panels are narrow, and the mechanism bears two curved arrows."""

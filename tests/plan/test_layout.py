@@ -119,6 +119,7 @@ def test_no_cell_of_a_grid_stays_empty(size: tuple[int, int]):
             assert max(rights) == pytest.approx(page.right)
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.__name__)
 def test_drawings_are_large_on_a_narrow_page(kind: type[vad.Mechanism]):
     form, sheet = screen((960, 720)), vad.draw(vad.solve(kind()))
@@ -185,11 +186,11 @@ def test_padding_takes_no_more_than_half_of_a_small_drawing():
 
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768), (600, 900)])
 def test_however_many_rows_there_are_a_sheet_is_drawn_or_refused(
-    size: tuple[int, int], request: pytest.FixtureRequest
+    size: tuple[int, int], exhaustive: bool
 ):
     """In a usual run one number of rows in five is tried."""
     sheet, refused = slider_crank(), []
-    counts = range(1, 25, 1 if request.config.getoption("--exhaustive") else 5)
+    counts = range(1, 25, 1 if exhaustive else 5)
     for count in counts:
         many = replace(sheet, rows=tuple(islice(cycle(sheet.rows), count)))
         try:
@@ -216,11 +217,14 @@ def test_a_label_stands_at_its_distance_along_the_bisector():
     assert fan(1 + 0j, 16)[1] == pytest.approx(cmath.rect(1, math.radians(22.5)))
 
 
-def test_placed_labels_never_overlap_however_many_there_are():
+def test_placed_labels_never_overlap_however_many_there_are(exhaustive):
     edge = Rect(0, 0, 1, 1)
     obstacles = Obstacles(edge)
     obstacles.line([0.07 + 0.5j, 0.93 + 0.5j], 0.01)
-    boxes = [place(obstacles, Wish(0.5 + 0.5j, 1j, 0.10, 0.053)).box for _ in range(20)]
+    boxes = [
+        place(obstacles, Wish(0.5 + 0.5j, 1j, 0.10, 0.053)).box
+        for _ in range(20 if exhaustive else 12)
+    ]
     for number, box in enumerate(boxes):
         assert edge.holds(complex(box.left, box.bottom))
         assert edge.holds(complex(box.right, box.top))

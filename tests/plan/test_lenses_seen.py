@@ -24,7 +24,7 @@ def seen(name: str, **pose: float) -> Plan:
     return planned(vad.draw(vad.solve(mechanism(), **pose)))
 
 
-@pytest.mark.exhaustive(3)
+@pytest.mark.exhaustive(6)
 @pytest.mark.parametrize(
     ("name", "pose"),
     [
@@ -64,7 +64,7 @@ def test_a_lens_in_the_way_is_seen():
     assert "knot" in found
 
 
-@pytest.mark.exhaustive(96, of="stills")
+@pytest.mark.exhaustive(192, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_lenses_of_all_mechanisms_as_they_are_seen(name: str, step: int):

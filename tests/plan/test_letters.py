@@ -46,7 +46,7 @@ TOUCHED = {
 }
 
 
-@pytest.mark.exhaustive(96, of="stills")
+@pytest.mark.exhaustive(192, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_letters_are_read_and_name_their_own_points(name: str, step: int):
@@ -160,7 +160,7 @@ def test_a_leader_is_not_read_as_a_minus_sign(side: float, off: float):
     assert abs((end - start).imag) > 0.1 * abs(end - start)
 
 
-@pytest.mark.exhaustive(48, of="stills")
+@pytest.mark.exhaustive(96, of="stills")
 @pytest.mark.parametrize("step", range(12))
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_no_leader_is_read_as_a_minus_sign(name: str, step: int):
@@ -268,6 +268,7 @@ def test_names_of_vectors_on_one_line_stand_on_the_sides_of_their_lanes():
     assert all(sides.values())
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("angle", range(0, 360, 40))
 def test_the_names_of_an_inset_touch_no_arrow(angle: int):
     board = planned(vad.draw(vad.solve(vad.CrankSlottedLever(), angle=angle + 10)))

@@ -274,6 +274,7 @@ def test_of_links_on_one_line_the_shorter_is_on_top_and_thinner():
 
 
 # Polygons of other mechanisms in space have bodies for vertices, not points.
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("name", [*sorted(PLANE), "rssr"])
 def test_every_letter_at_the_pole_is_in_the_picture(name: str):
     dimensions = SHAPER if name == "crank-slotted-lever" else {}

@@ -79,7 +79,7 @@ def last(mark: Mark) -> complex:
     return shape.curve()[-1] if isinstance(shape, Bow) else shape.pieces[-1][-1]
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @EVERY
 def test_what_is_drawn_to_the_end_is_as_it_stays(scene: str):
     for item in board(scene).items:
@@ -104,6 +104,7 @@ def points(mark: Mark) -> list[complex]:
             return [at, at + size]
 
 
+@pytest.mark.exhaustive(4)
 @EVERY
 def test_lines_grow_from_their_first_point_and_only_grow(scene: str):
     for mark in growing(scene, Trimming):

@@ -72,7 +72,7 @@ def test_whole_polygons_move(name: str):
         assert all(each == counts[0] for each in counts), number
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("name", LENSED + BARRED)
 def test_lenses_and_scale_bars_stay_whole_and_are_gone_while_panels_move(name: str):
     """A lens is carried by its panel as one figure while it fades, and so is a scale bar."""

@@ -79,7 +79,7 @@ def found_senses_of(board: Plan) -> list[Item]:
     ]
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("angle", [0, 35, 100, 160, 250, 310])
 @pytest.mark.parametrize("name", ROOMY)
 def test_each_rate_has_its_arrow_in_its_sense(name, angle):
@@ -97,7 +97,7 @@ def test_each_rate_has_its_arrow_in_its_sense(name, angle):
                 assert cell.value * senses[cell.symbol] > 0.0, (cell, senses)
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
 @pytest.mark.parametrize("name", ["watt-1", "shaper", "jansen-leg", "atkinson-engine"])
 def test_no_arrow_lies_on_a_letter_and_no_name_on_another(name, size):
@@ -133,7 +133,7 @@ def posed(name: str, place: int) -> Plan:
     return drawn(mechanism, **inputs)
 
 
-@pytest.mark.exhaustive(144)
+@pytest.mark.exhaustive(288)
 @pytest.mark.parametrize("place", range(12))
 @pytest.mark.parametrize("name", sorted({*vad.MECHANISMS, *example_names()}))
 def test_each_rate_is_seen_on_its_link_and_opposite_ones_are_told_apart(name, place):
@@ -196,7 +196,7 @@ def test_arrows_of_opposite_senses_stand_about_one_end_where_there_is_room(name)
     assert "about two ends" not in {fault for fault, _ in faults(board)}
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("lesson", [False, True])
 @pytest.mark.parametrize(
     ("name", "link", "pin"),
@@ -220,7 +220,7 @@ def test_a_link_without_a_pivot_turns_about_the_joint_that_captions_name(name, l
     assert all(abs(centre - at) < 1e-9 for centre in own)
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("name", ["atkinson-engine", "pantograph", "peaucellier", "shaper"])
 def test_an_arrow_about_another_joint_points_as_captions_see_it(name):
     """Beyond the far end of its link it lies on one ray with the joint that captions name."""
@@ -364,6 +364,7 @@ def test_the_given_speed_has_the_symbol_of_the_table(mechanism, symbol):
     assert [text for text in tags if text.startswith("v")] == [symbol]
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize(("omega", "alpha"), [(10.0, 20.0), (-6.0, 15.0)])
 @pytest.mark.parametrize("name", ["hooke-joint", "rssr", "spherical-four-bar", "spatial-four-bar"])
 def test_rates_in_space_turn_about_their_axes_in_their_sense(name, omega, alpha):

@@ -42,7 +42,7 @@ def only(marks: list[Mark], kind: type) -> Mark:
     return found
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("scene", [1, 2])
 @pytest.mark.parametrize("name", ["four-bar", "slider-crank", "whitworth with ram"])
 def test_a_number_leaves_its_caption_and_its_arrow_stays(name: str, scene: int):
@@ -97,7 +97,7 @@ def test_a_number_without_room_at_its_link_flies_to_its_row():
         assert mark.at(1.0) is None
 
 
-@pytest.mark.exhaustive(6)
+@pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("name", ["watt-1", "beam-engine", "shaper", "jansen-leg", "stephenson-3"])
 def test_no_number_flies_again_when_its_row_comes_back(name: str):
     sheet = vad.draw(vad.solve(vad.load(example_path(name))()))

@@ -33,7 +33,7 @@ def sheets(name, panels):
             yield vad.draw(vad.solve(machine, **place, **given), panels)
 
 
-@pytest.mark.exhaustive(96)
+@pytest.mark.exhaustive(192)
 @pytest.mark.parametrize("panel", ["centres", "klein", "turned"])
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_no_label_lies_on_anything(name, panel):
@@ -42,7 +42,7 @@ def test_no_label_lies_on_anything(name, panel):
             assert overlaps(sheet, size, lesson) == []
 
 
-@pytest.mark.exhaustive(32)
+@pytest.mark.exhaustive(64)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_neither_does_one_beside_velocities(name):
     for panels in (("centres", "velocity"), ("klein", "velocity", "acceleration")):
@@ -51,7 +51,7 @@ def test_neither_does_one_beside_velocities(name):
             assert overlaps(sheet, NARROW) == []
 
 
-@pytest.mark.exhaustive(16)
+@pytest.mark.exhaustive(32)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_no_two_rows_of_the_results_lie_on_one_another(name):
     both = [*sheets(name, ("centres",)), *sheets(name, ("klein",))]

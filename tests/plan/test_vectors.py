@@ -73,6 +73,7 @@ def on_one_line(one: Item, other: Item) -> bool:
     return abs(turn.imag) < 1e-6 and any(each is not None and each < 0.02 for each in near)
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize(("name", "inputs"), POSES)
 def test_no_pen_covers_another(name: str, inputs: dict[str, Any]):
     _, board = drawn(name, inputs)
@@ -98,6 +99,7 @@ def test_no_pen_covers_another(name: str, inputs: dict[str, Any]):
                 assert all(each is None or each > pen(that.marks[0]) for each in near)
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize(("name", "inputs"), POSES)
 def test_vertices_stay_true(name: str, inputs: dict[str, Any]):
     sheet, board = drawn(name, inputs)
@@ -179,7 +181,7 @@ def begins(board: Plan, item: Item, end: complex) -> complex:
     return end if abs(last - neck) < 1e-9 else first
 
 
-@pytest.mark.exhaustive(24)
+@pytest.mark.exhaustive(48)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_no_vector_begins_in_empty_air(name: str):
     machine = MACHINES[name]()
@@ -209,7 +211,7 @@ def test_the_coriolis_acceleration_is_drawn_from_its_head(name: str):
     assert [scale(stroke.shape.start) in each for each in dots] == [False, True]
 
 
-@pytest.mark.exhaustive(24)
+@pytest.mark.exhaustive(48)
 @pytest.mark.parametrize("name", sorted(MACHINES))
 def test_each_vector_is_seen_as_an_arrow_while_it_is_drawn(name: str):
     """Also one that lies along another: it stands beside that until the next stroke is drawn."""

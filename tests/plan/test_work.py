@@ -7,17 +7,14 @@ from collections.abc import Iterator
 import pytest
 
 import vad
-from tests.plan.crossed_texts import kind_of
-from tests.plan.overlaps import KEY
+from tests.plan.crossed_texts import stage_of
 from vad.files.examples import example_names
 from vad.plan.board import Plan
-from vad.plan.format import screen
 from vad.plan.items import FOREVER
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Fading, Lettering
 from vad.plan.page.work import parts
 from vad.plan.stage import Stage
-from vad.strokes.travels import travels
 
 EVERY = [*vad.MECHANISMS, *example_names()]
 #: A cell with the beats between which it shows, and its growth.
@@ -47,26 +44,21 @@ def cells(scene: Plan) -> Iterator[Shown]:
                 yield symbol, item.since, item.until, mark.growth
 
 
-def stage_of(name: str, language: str, size: tuple[int, int]) -> Stage:
-    sheet = vad.draw(vad.solve(kind_of(name)()), language=language)
-    return Stage(sheet, screen(size), KEY, travels(sheet))
-
-
-@pytest.mark.exhaustive(30)
+@pytest.mark.exhaustive(60)
 @pytest.mark.parametrize("language", ["en", "de", "fr"])
 @pytest.mark.parametrize("name", EVERY)
 def test_no_cell_goes_while_its_chapter_is_told(name: str, language: str):
-    for shown in chapters(stage_of(name, language, (1280, 720))):
+    for shown in chapters(stage_of(name, language=language)):
         last = max((until for _, _, until, _ in shown), default=0)
         for symbol, _, until, _ in shown:
             others = (each for each in shown if each[0] == symbol)
             assert until == last or any(since == until for _, since, *_ in others), symbol
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("name", EVERY)
 def test_a_cell_that_goes_for_want_of_room_fades(name: str):
-    for shown in chapters(stage_of(name, "en", (960, 720))):
+    for shown in chapters(stage_of(name, (960, 720))):
         last = max((until for _, _, until, _ in shown), default=0)
         for symbol, _, until, growth in shown:
             others = (each for each in shown if each[0] == symbol)
@@ -79,7 +71,7 @@ def test_a_cell_that_goes_for_want_of_room_fades(name: str):
 )
 def test_the_sense_in_which_rates_are_positive_stands_below_them(language: str, word: str):
     """It stands in the scenes of the polygons and in the whole sheet; angles alone need none."""
-    stage = stage_of("slider-crank", language, (1280, 720))
+    stage = stage_of("slider-crank", language=language)
     for number, at_work in enumerate([0, 1, 1, 1]):
         items = [
             i for i in stage.scene(number).items if "results" in i.region or "work" in i.region

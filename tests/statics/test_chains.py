@@ -26,7 +26,7 @@ def loaded(seed, friction=0.0):
     return vad.forces(motion, **given, friction=dict.fromkeys(blocks, friction)), sine
 
 
-@pytest.mark.exhaustive(40)
+@pytest.mark.exhaustive(80)
 @pytest.mark.parametrize("first", range(0, 2000, 50))
 def test_equilibrium_and_power(first):
     for seed in range(first, first + 50):
@@ -38,7 +38,7 @@ def test_equilibrium_and_power(first):
         assert abs(total) <= 32.0 * EPSILON / sine * sizes, seed
 
 
-@pytest.mark.exhaustive(40)
+@pytest.mark.exhaustive(80)
 @pytest.mark.parametrize("first", range(0, 1000, 50))
 def test_equilibrium_with_friction(first):
     jammed = 0

@@ -67,7 +67,7 @@ def in_cylinder(motion: Motion, stroke: Stroke) -> bool:
     return stroke.kind == "known" and stroke.link in motion.mechanism.links
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @in_every_language
 @everything
 def test_no_word_is_said_without_being_meant(name: str, code: str) -> None:
@@ -83,6 +83,7 @@ def test_no_word_is_said_without_being_meant(name: str, code: str) -> None:
         assert WORDING[code].count(stroke.caption) == (ways, senses), stroke
 
 
+@pytest.mark.exhaustive(4)
 @in_every_language
 @everything
 def test_a_block_slides_the_way_that_is_said(name: str, code: str) -> None:
@@ -321,7 +322,7 @@ def test_a_link_has_one_number(name: str) -> None:
         assert numbers.get(given, {"₂"}) == {"₂"}
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("name", [*example_names()[::-1], *vad.MECHANISMS])
 def test_a_construction_line_is_drawn_towards_what_it_finds(name: str) -> None:
     mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))()

@@ -47,7 +47,7 @@ def size(panel: Panel) -> float:
     return max((abs(at) for spots in places(panel).values() for at in spots), default=0.0)
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @everything
 def test_what_coincides_has_one_place(key: str):
     for sheet in sheets(MECHANISMS[key]):

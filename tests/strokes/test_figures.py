@@ -178,7 +178,7 @@ def calculate(caption: str) -> int:
     return done
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_it_does_so_all_round(name: str) -> None:
     """Every mechanism, in both assemblies, over its whole range."""

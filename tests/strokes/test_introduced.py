@@ -63,7 +63,7 @@ def said(text: str) -> set[str]:
     return {each for ways in _SAYS.findall(text) for run in ways for each in symbols(run)}
 
 
-@pytest.mark.exhaustive(16)
+@pytest.mark.exhaustive(32)
 @pytest.mark.parametrize("kind", KINDS, ids=lambda kind: kind.name)
 def test_no_letter_is_used_before_it_is_drawn_or_said(kind: Any):
     sheet = vad.draw(vad.solve(kind()))

@@ -169,7 +169,7 @@ def test_what_vanishes_is_said_where_the_lines_cross(
     assert captions[f"velocity:{stroke}.crossing"] == sentence
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("name", [*vad.MECHANISMS, *example_names()])
 def test_no_two_results_of_a_panel_have_one_symbol(name: str) -> None:
     mechanism = (vad.MECHANISMS.get(name) or vad.load(example_path(name)))()

@@ -118,12 +118,12 @@ print(json.dumps({
 
 
 FOUR = """
-import json, vad
+import json, sys, vad
 from vad.cli.run import run
 from vad.gui.answers import pose
 from vad.gui.messages import PoseQuestion
 
-panels = {}
+panels, pages, turns = {}, *(words.split(",") for words in sys.argv[1:])
 for name in ("four-bar", "scotch-yoke", "rssr"):
     mechanism = vad.MECHANISMS[name]()
     sheet = vad.draw(vad.solve(mechanism))
@@ -131,8 +131,9 @@ for name in ("four-bar", "scotch-yoke", "rssr"):
     vad.save(sheet, name + ".json")
     assert vad.sheet_from_json(name + ".json") == sheet
     vad.save(sheet, name + ".svg")
-    if "force" in panels[name]:
+    if name in pages:
         vad.save(vad.animate(sheet), name + ".html")
+    if name in turns:
         vad.save(vad.turn(mechanism), name + "-turn.svg")
     drawn = pose(PoseQuestion.of(mechanism, {}))["panels"]
     assert [each[0] for each in drawn] == panels[name]
@@ -171,12 +172,12 @@ def test_titles_are_in_the_language_of_the_sheet(code: str) -> None:
     assert code == "en" or "Velocity" not in titles
 
 
-def tried(folder: Path, name: str, file: str, trial: str) -> tuple[Any, str]:
+def tried(folder: Path, name: str, file: str, trial: str, *words: str) -> tuple[Any, str]:
     """Return what a trial says of the program with one file more, and its errors."""
     shutil.copytree(PACKAGE, folder / "vad")  # with what is compiled, which takes seconds
     (folder / "vad" / "strokes" / "diagrams" / name).write_text(file, encoding="utf-8")
     done = subprocess.run(
-        [sys.executable, "-c", trial],
+        [sys.executable, "-c", trial, *words],
         cwd=folder,
         capture_output=True,
         check=True,
@@ -202,8 +203,12 @@ def test_a_kind_of_picture_that_no_painter_knows() -> None:
     assert error.value.hint == "known: skeleton, vectors, views"
 
 
-def test_a_diagram_is_drawn_where_it_applies_in_the_plane_and_in_space(tmp_path: Path) -> None:
-    said, errors = tried(tmp_path, "force.py", FORCE, FOUR)
+def test_a_diagram_is_drawn_where_it_applies_in_the_plane_and_in_space(
+    tmp_path: Path, exhaustive: bool
+) -> None:
+    """Usually there is a turn in the plane and a page in space."""
+    pages, turns = ("four-bar,rssr",) * 2 if exhaustive else ("rssr", "four-bar")
+    said, errors = tried(tmp_path, "force.py", FORCE, FOUR, pages, turns)
     usual = ["position", "velocity", "acceleration"]
     drawn = [*usual, "force"]
     assert said == {"four-bar": drawn, "scotch-yoke": usual, "rssr": drawn}

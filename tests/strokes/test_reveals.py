@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import pytest
+
 import vad
 from tests.strokes.calculations import chains
 from tests.strokes.motions import drawn, everything, in_every_language, poses
@@ -73,6 +75,7 @@ def _check_zeros(sheet: Sheet, panel: Panel) -> None:
             assert stroke.kind in ("intersection", "pole")
 
 
+@pytest.mark.exhaustive(4)
 @in_every_language
 @everything
 def test_a_lesson_shows_what_has_been_measured_so_far(name: str, code: str) -> None:

@@ -21,7 +21,7 @@ def four_bar(**more):
     return vad.forces(vad.solve(machine, angle=120), loads, **more)
 
 
-@pytest.mark.exhaustive(24)
+@pytest.mark.exhaustive(48)
 @pytest.mark.parametrize("name", NAMES)
 def test_the_parts_add_up_to_the_forces_of_all_loads(name):
     found = forces_of(name)
@@ -78,12 +78,13 @@ def test_the_torque_is_the_sum():
 
 
 @pytest.mark.parametrize("language", ["en", "de", "fr"])
-def test_it_is_said_in_every_language_and_read_back(tmp_path, language):
+def test_it_is_said_in_every_language_and_read_back(tmp_path, language, exhaustive):
     sheet = vad.draw(four_bar(), language=language, superpose=True)
     assert all(s.caption.endswith(".") for s in sheet.panel("force").strokes)
     vad.save(sheet, tmp_path / "sheet.json")
     assert sheet_from_json((tmp_path / "sheet.json").read_text("utf-8")) == sheet
-    vad.save(vad.animate(sheet), tmp_path / "lesson.html")
+    if exhaustive or language == "de":  # which has the longest sentences
+        vad.save(vad.animate(sheet), tmp_path / "lesson.html")
 
 
 def test_one_load_alone_needs_no_superposition():

@@ -26,7 +26,7 @@ def captions(panel: Panel) -> list[str]:
     return [stroke.caption for stroke in panel.strokes]
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("name", EVERY)
 def test_a_caption_says_which_of_two_crossings_is_meant(name: str) -> None:
     position = sheet_of(name).panel("position")
@@ -70,7 +70,7 @@ def test_a_number_of_turns_becomes_an_angular_velocity_at_the_pole(name: str, sa
     )
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("name", EVERY)
 def test_the_first_double_prime_is_told_from_the_single_one(name: str) -> None:
     sheet = sheet_of(name)

@@ -176,7 +176,7 @@ def condition(mechanism: Mechanism, values: Values) -> float:
     return moved
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("name", VARIANTS)
 def test_every_dimension_is_an_input_without_a_guard(name: str) -> None:
     """It is one only if sixty sets of dimensions are solved right.
@@ -194,9 +194,9 @@ def test_every_dimension_is_an_input_without_a_guard(name: str) -> None:
 
 @pytest.mark.exhaustive
 @pytest.mark.parametrize("name", VARIANTS)
-def test_one_sheet_is_that_of_other_dimensions(name: str, request: pytest.FixtureRequest) -> None:
+def test_one_sheet_is_that_of_other_dimensions(name: str, exhaustive: bool) -> None:
     mechanism = VARIANTS[name]
-    sets = sets_of(mechanism, 300 if request.config.getoption("--exhaustive") else 12)
+    sets = sets_of(mechanism, 300 if exhaustive else 12)
     names = tuple(mechanism.dimensions())
     traced = traced_sheet(mechanism, poses(mechanism, 1)[0], dimensions=names)
     if name == "parallelogram":

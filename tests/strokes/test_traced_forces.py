@@ -62,6 +62,7 @@ def drawn(sheet: Sheet) -> dict[Any, float]:
     return {key: x for key, x in numbers(sheet) if key[:2] in names or key[0] == "row"}
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("name", MACHINES)
 def test_forces_of_one_pose_drawn_with_traced_numbers_are_those_of_every_pose(name: str):
     machine, burden = MACHINES[name]

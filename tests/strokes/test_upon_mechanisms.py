@@ -153,7 +153,7 @@ def every(name, language="en"):
             yield motion, sheet, sheet.panel(which)
 
 
-@pytest.mark.exhaustive(20)
+@pytest.mark.exhaustive(40)
 @pytest.mark.parametrize("language", ["en", "de", "fr"])
 @pytest.mark.parametrize("name", NAMES)
 def test_a_pocket_calculator_agrees(name, language):
@@ -163,7 +163,7 @@ def test_a_pocket_calculator_agrees(name, language):
         assert done >= len(results)
 
 
-@pytest.mark.exhaustive(12)
+@pytest.mark.exhaustive(24)
 @pytest.mark.parametrize("name", NAMES)
 def test_the_rates_in_captions_are_those_of_the_motion(name):
     for motion, sheet, panel in every(name):

@@ -154,6 +154,7 @@ def test_a_sheet_is_read_in_another_language(name: str, code: str) -> None:
         assert to_dict(again) == to_dict(sheet)
 
 
+@pytest.mark.exhaustive(4)
 @pytest.mark.parametrize("code", languages())
 @pytest.mark.parametrize("name", list(vad.MECHANISMS))
 def test_what_is_read_in_a_language_is_what_is_drawn_in_it(name: str, code: str) -> None:

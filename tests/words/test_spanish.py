@@ -44,11 +44,12 @@ TRIAL = """
 import json, vad
 from vad.cli.run import run
 
+PANEL = "--panels", "velocity"
 assert run(["draw", "four-bar", "--language", "xx", "-o", "plane.json"]) == 0
 assert run(["draw", "hooke-joint", "--language", "xx", "-o", "space.json"]) == 0
 assert run(["draw", "hooke-joint", "--language", "xx", "-o", "space.svg"]) == 0
-assert run(["animate", "four-bar", "--language", "xx", "-o", "page.html"]) == 0
-assert run(["draw", "scotch-yoke", "--turn", "--language", "xx", "-o", "turn.svg"]) == 0
+assert run(["animate", "scotch-yoke", "--language", "xx", "-o", "page.html"]) == 0
+assert run(["draw", "scotch-yoke", "--turn", *PANEL, "--language", "xx", "-o", "turn.svg"]) == 0
 english = vad.sheet_from_json("plane.json", language="en")
 spanish = vad.sheet_from_json("plane.json")
 assert english == vad.draw(vad.solve(vad.FourBar()))

@@ -68,7 +68,7 @@ def test_views_stand_apart_in_every_pose(swing: float, length: float) -> None:
         assert apart or laid.real.max() < below.real.min() or laid.real.min() > below.real.max()
 
 
-@pytest.mark.exhaustive(4)
+@pytest.mark.exhaustive(8)
 @pytest.mark.parametrize("angle", [60.0, 200.0])
 @pytest.mark.parametrize("name", ["hooke-joint", "rssr", "spherical-four-bar", "spatial-four-bar"])
 def test_views_have_the_height_of_a_page_that_is_4_by_3(name: str, angle: float) -> None:

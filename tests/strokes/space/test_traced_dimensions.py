@@ -95,11 +95,9 @@ def test_every_dimension_is_an_input(name: str) -> None:
 
 @pytest.mark.exhaustive
 @pytest.mark.parametrize("kept_views", VARIANTS, indirect=True)
-def test_one_sheet_is_that_of_other_dimensions(
-    kept_views: Mechanism, request: pytest.FixtureRequest
-) -> None:
+def test_one_sheet_is_that_of_other_dimensions(kept_views: Mechanism, exhaustive: bool) -> None:
     mechanism = kept_views
-    sets = sets_of(mechanism, 300 if request.config.getoption("--exhaustive") else 30)
+    sets = sets_of(mechanism, 300 if exhaustive else 30)
     names = tuple(mechanism.dimensions())
     traced = traced_sheet(mechanism, poses(mechanism, 1)[0], dimensions=names)
     right = 0

@@ -92,7 +92,7 @@ def test_between_balls_known_vectors_lie_along_lines_of_the_view_of_their_polygo
             assert abs(over(travel)) == pytest.approx(abs(factors[name]), rel=1e-9)
 
 
-@pytest.mark.exhaustive(8)
+@pytest.mark.exhaustive(16)
 @pytest.mark.parametrize("size", [(1280, 720), (1024, 768)])
 @pytest.mark.parametrize("name", SPACE)
 def test_vectors_leave_the_small_pictures_and_land_at_their_vertices(name, size):
