@@ -295,12 +295,12 @@ def test_progress_is_told(written, tmp_path):
 def test_a_film_is_encoded_by_one_thread(written, tmp_path):
     """Its bytes depend on their number, and are to be the same on every machine."""
     text = CLASS.replace('"key.json"', '"film.mp4"').replace("10\n", "1\n")
-    look = "size = [320, 240]\nfps = 5\nspeed = 8\n"
+    look = "size = [320, 240]\nfps = 5\nspeed = 30\n"
     (made,) = vad.batch(written(text.replace("[vary]", look + "[vary]")), tmp_path / "out")
     mechanism = vad.FourBar(**made.answers["parameters"])
     sheet = vad.draw(vad.solve(mechanism, **made.answers["input"]))
     sheet = dataclasses.replace(sheet, title=f"{sheet.title} · 001")
-    lesson = vad.animate(sheet, fps=5, size=(320, 240), speed=8)
+    lesson = vad.animate(sheet, fps=5, size=(320, 240), speed=30)
     films = []
     for threads in (1, 2):
         vad.save(lesson, tmp_path / "film.mp4", threads=threads)

@@ -63,6 +63,7 @@ def test_panels(vad, tmp_path, words, panels):
     assert sorted(json.loads(path.read_text(encoding="utf-8"))["panels"]) == sorted(panels)
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize("style", style_names())
 def test_styles(vad, tmp_path, style):
     path = tmp_path / "sheet.png"

@@ -76,6 +76,7 @@ def test_a_full_disk(shell):
     assert done.stderr == "error: cannot write: No space left on device\n"
 
 
+@pytest.mark.exhaustive(3)
 @posix
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-8"])
 def test_any_encoding_of_the_terminal(shell, encoding):

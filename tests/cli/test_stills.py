@@ -37,6 +37,7 @@ def test_what_does_not_go_together(vad, tmp_path, monkeypatch, words, part):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize("name", ["film.mp4", "film.gif", "film/"])
 def test_subtitles(vad, tmp_path, name):
     made(vad, "animate", "scotch-yoke", *SMALL, "--subtitles", "-o", f"{tmp_path}/{name}")

@@ -83,6 +83,7 @@ def test_more_poses_than_one_chunk(vad, tmp_path):
     assert None not in table["yoke acceleration [mm/s^2]"]
 
 
+@pytest.mark.exhaustive(3)
 @pytest.mark.parametrize("name", ["crank-slotted-lever", "double-slider", "gate-actuator"])
 def test_a_plot_over_a_crank_a_slide_and_a_strut(vad, tmp_path, name):
     path = tmp_path / "sweep.PNG"

@@ -187,6 +187,7 @@ def test_a_chapter_begins_with_its_panel_and_is_as_long():
     ]
 
 
+@pytest.mark.exhaustive(256)
 @pytest.mark.parametrize(("name", "whole"), EVERY)
 def test_what_is_seen_only_where_scripts_run_is_packed_in_its_order(name: str, whole: bool) -> None:
     lesson, html = lesson_of(name, whole=whole), page_of(name, whole=whole)
