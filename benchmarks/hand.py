@@ -7,8 +7,9 @@ others on the machine disturb less, and how many questions a drag asks: it shoul
 
 What a move takes contains what the browser takes to be driven from outside, more than a millisecond
 on an empty page, and the frames in which the picture glides on after it.  So the time of a single
-frame is stated, too: the page makes one move in each of many frames by itself.  Machines differ by
-a factor of two; beside it stands what a frame takes in which one circle moves on an empty page.
+frame is stated, too: the page makes one move in each of many frames by itself.  It is the mean of
+all of them: letters follow in every second, and numbers eight times a second.  Machines differ by a
+factor of two; beside it stands what a frame takes in which one circle moves on an empty page.
 
 A picture can be seen at the next frame of the display at the earliest, and a pointer moves at any
 time between two frames.  So the moves are spread evenly over the time of a frame.  Otherwise each

@@ -222,3 +222,26 @@ def test_what_rests_costs_nothing(page: Page) -> None:
     after = page.evaluate("view.counts")
     assert after["attributes"] == before["attributes"]
     assert after["candidates"] - before["candidates"] < 40
+
+
+def test_labels_of_many_poses_in_a_row_follow_in_every_second_frame(page: Page) -> None:
+    open_picture(page, "four-bar")
+    paint(page, angle=60, omega=10, alpha=0)
+    moved = page.evaluate(
+        """async () => {
+          const looks = () => view.names.all.map((each) => each.shell.style.transform).join();
+          let before = "";
+          const moved = () => before !== (before = looks());
+          const to = (angle) => { view.state[0] = angle; view.paint(view.state, true); };
+          const frame = () => new Promise(requestAnimationFrame);
+          view.paint(), moved();
+          const row = [61, 62, 63, 64].map((angle) => (to(angle), moved()));
+          to(65), view.settle();
+          const settled = [moved(), (view.settle(), moved())];
+          view.paint(), moved(), to(66);
+          const late = [moved()];
+          for (let n = 0; n < 3; n++) await frame();
+          return [row, settled, late.concat(moved())];
+        }"""
+    )
+    assert moved == [[False, True, False, True], [True, False], [False, True]]

@@ -305,7 +305,7 @@ function docked(root, body, player) {
       const by = Math.floor(due * 10 ** digits) / 10 ** digits;
       then = time - (due - by) / pace;
       body.rest();
-      if (by) body.move(way * by);
+      if (by) body.move(way * by, 0, true);
       if (body.atEnd) way = state[0] <= body.range[0] ? 1 : -1;
       frame = requestAnimationFrame(tick);
     };

@@ -10,8 +10,9 @@
 //   assemblies   of each its name, and the factors of its loops, which are the inputs "sides"
 //   limits       outputs that are zero where links part, and how they stand there
 // Listeners hear of every pose: on(listener).  What is text follows less often, so that it can be
-// read: reads(listener), written with the table.  said() lets all text be that of the pose at once, and
-// of the next one, too.  dispose() lets no more text come when another page takes the place of this one.
+// read: reads(listener), written with the table.  said() lets all text and labels be those of the pose
+// at once, and the text of the next one, too.  dispose() lets no more text come when another page takes
+// the place of this one.
 
 // Of the size of a mechanism: two places that are nearer are one.
 const MEETING = 1e-4;
@@ -20,7 +21,7 @@ const END = 1e-11;
 // In so many poses of a stretch the size of a mechanism is looked up.
 const POSES_WHOLE = 48;
 // Milliseconds from one text to the next while a pose follows the other: nobody reads more of them.
-const LEGIBLE = 80;
+const LEGIBLE = 120;
 
 // Does something when it is called, and in a row of calls so often that this many milliseconds lie
 // between; the last call counts, too. now() does what is left at once, and so the next call; over()
@@ -116,9 +117,9 @@ function driven(root, solve, data) {
   const atEnd = () => !full(range) && Math.min(state[0] - range[0], range[1] - state[0]) <= END * (range[1] - range[0]);
 
   // Paints the state. At a limit rates have no value: they grow without end towards it.
-  function show() {
+  function show(inRow) {
     root.classList.toggle("resized", known !== key(data.start));
-    drawn();
+    drawn(inRow);
     for (const listener of listeners) listener();
     say();
   }
@@ -128,8 +129,8 @@ function driven(root, solve, data) {
     for (const reader of readers) reader();
   }, LEGIBLE);
 
-  function drawn() {
-    view.paint(atEnd() ? [state[0], NaN, NaN, ...state.slice(3)] : state);
+  function drawn(inRow) {
+    view.paint(atEnd() ? [state[0], NaN, NaN, ...state.slice(3)] : state, inRow);
     held();
   }
 
@@ -169,8 +170,8 @@ function driven(root, solve, data) {
 
   // Moves the driver within its stretch; near a limit it may snap to it, and elsewhere to a tenth of
   // that. What was wanted beyond the limit is not lost, so that a pointer that comes back meets what
-  // it left.
-  function move(by, snap = 0) {
+  // it left. Of many moves in a row, not each has its labels at once.
+  function move(by, snap = 0, inRow = false) {
     wanted += by;
     let at = full(range) ? wanted : clamp(wanted, ...range);
     if (snap) at = clamp(+at.toFixed(Math.max(0, Math.ceil(-Math.log10(snap / 10) - 1e-9))), ...(full(range) ? [-Infinity, Infinity] : range));
@@ -178,7 +179,7 @@ function driven(root, solve, data) {
     if (full(range)) [at, wanted] = [within(at), within(wanted)];
     const round = +at.toPrecision(13); // as sums of round steps are
     state[0] = full(range) ? round : clamp(round, ...range);
-    show();
+    show(inRow);
   }
 
   const within = (degrees) => (degrees % 360 + (degrees % 360 < 0 ? 360 : 0));
@@ -187,7 +188,7 @@ function driven(root, solve, data) {
     data, turns, ends, state, out, view, solve, closes, holds, refused, set, move, show, arrange, key, among, assembly, assembled, beyond, parting,
     on: (listener) => listeners.push(listener),
     reads: (reader) => readers.push(reader),
-    said: say.now,
+    said: () => { view.settle(); say.now(); },
     dispose: say.over,
     rest: () => { wanted = state[0]; },
     get ranges() { return ranges; },
@@ -231,7 +232,7 @@ function dragged(root, body, take, gone) {
     if (from === null) return;
     const now = at(event), by = now - from, snap = kind === "angle" ? 1 : (body.range[1] - body.range[0]) / 360;
     from = now;
-    body.move(kind === "angle" ? by - 360 * Math.round(by / 360) : by, snap);
+    body.move(kind === "angle" ? by - 360 * Math.round(by / 360) : by, snap, true);
   });
   for (const name of ["pointerup", "pointercancel"])
     ring.addEventListener(name, () => { if (from !== null) { from = null; root.classList.remove("gripped"); gone(); } });

@@ -1,7 +1,7 @@
 // The picture that a hand moves: one program finds its pose, and its elements follow.
 //
-// picture(root, solve, data) -> {state, out, paint, write, glides, steady, hidden, counts, x, y, unit,
-// written}. How many labels have no room is the page's attribute data-hidden, too.
+// picture(root, solve, data) -> {state, out, paint, settle, write, glides, steady, hidden, counts, x, y,
+// unit, written}. How many labels have no room is the page's attribute data-hidden, too.
 // The function solve is that of vad/page/solver.py; data is that of vad/page/hand.py:
 //   inputs, start   the names of all inputs, and their values in the lesson's pose
 //   size            how many outputs there are; numbers below are places among them
@@ -17,6 +17,9 @@
 
 // Degrees: a shorter arc is no arc.
 const NO_SWEEP = 1e-6;
+// Milliseconds within which poses come frame after frame. Then labels follow in every second frame:
+// they take a quarter of one, and nobody sees that a label is late by a sixtieth of a second.
+const ROW = 25;
 
 function picture(root, solve, data) {
   const out = new Float64Array(data.size), state = [...data.start], counts = { attributes: 0, candidates: 0 };
@@ -30,7 +33,7 @@ function picture(root, solve, data) {
   const names = labels(texts, data, out, counts), sizes = scales(root, data, out, state);
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   const listeners = [];
-  let frame = 0, fresh = true, given = [];
+  let frame = 0, fresh = true, given = [], last = 0, behind = false;
 
   // The text of an attribute, or of two; none where a number does not exist.
   const kinds = {
@@ -94,9 +97,12 @@ function picture(root, solve, data) {
   }
 
   // Paints the pose of the state, or one with other rates; what does not exist in it is hidden.
-  // Scales and labels that have changed glide on in the next frames.
-  function paint(at = state) {
-    const still = fresh || calm.matches;
+  // Scales and labels that have changed glide on in the next frames. One of many poses in a row may
+  // leave its labels to the next frame; settle() places them at once.
+  function paint(at = state, inRow = false) {
+    const still = fresh || calm.matches, now = performance.now();
+    behind = inRow && !fresh && !behind && now - last < ROW;
+    last = now;
     given = at.slice(0, 3);
     fresh = false;
     cancelAnimationFrame(frame);
@@ -122,11 +128,11 @@ function picture(root, solve, data) {
 
   // Places the labels. What is to follow comes in the next frame; without it labels may glide on alone.
   function lettered(still, next) {
-    const gliding = names.place(still);
+    const gliding = behind || names.place(still);
     if (root.dataset.hidden !== `${names.hidden}`) root.dataset.hidden = names.hidden;
     if (!next && !gliding) return;
     // A pose that a pointer has set is painted before the animations of its frame: this is for the next.
-    const painted = performance.now(), glide = next || (() => lettered(calm.matches));
+    const painted = performance.now(), glide = next || (() => { behind = false; lettered(calm.matches); });
     const later = (time) => { if (time < painted) frame = requestAnimationFrame(later); else glide(); };
     frame = requestAnimationFrame(later);
   }
@@ -235,6 +241,7 @@ function picture(root, solve, data) {
   return {
     state, out, paint, write, x, y, unit, counts, names, arrange,
     written: (value, units) => written(value, units, false, data.point),
+    settle: () => { if (behind) paint(given); },
     // A listener hears of each frame in which the picture glides on by itself.
     glides: (listener) => listeners.push(listener),
     // One scale for the poses at these places of the driver; null for scales as they are needed.
