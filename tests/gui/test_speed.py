@@ -130,6 +130,7 @@ def test_an_answer_is_sent_at_once():
     assert min(times[2:]) < 0.03
 
 
+@pytest.mark.exhaustive
 def test_a_move_is_quick(hand: Hand):
     works = hand.draw, hand.move, hand.redraw, hand.size
     # In turns, and of each the median: a clock that is read wrongly once decides nothing.

@@ -15,6 +15,7 @@ from vad.plan.reach import corners
 from vad.plan.turn_board import TurnBoard
 
 
+@pytest.mark.exhaustive
 @pytest.mark.parametrize("size", [(1280, 720), (960, 720)])
 def test_a_mechanism_over_a_turn_comes_nearer_to_its_edges_than_a_still(size: tuple[int, int]):
     turn = turn_of(vad.SliderCrank(), size)

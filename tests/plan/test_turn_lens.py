@@ -164,7 +164,7 @@ def test_a_polygon_that_is_large_most_of_the_time_has_none():
 
 def test_it_comes_once_in_a_turn():
     """The small velocities of the spatial four-bar are small twice."""
-    shown = TurnBoard(vad.turn(vad.SpatialFourBar(), panels=("position", "velocity")))
+    shown = board_of(vad.SpatialFourBar())
     lens = shown.panels["velocity.below"].lens
     assert lens is not None
     assert len(lens.spans.ends) == 1
