@@ -9,7 +9,7 @@ from tests.plan.crossed_texts import crossings, flights, stage_of
 from vad.files.examples import example_names
 from vad.lecture.moment import Moment
 from vad.plan.board import seen
-from vad.plan.items import CAPTION, FLIGHT, TITLE, Item, Level
+from vad.plan.items import CAPTION, FLIGHT, TITLE, Item, Level, head_of
 from vad.plan.lettering.runs import roman
 from vad.plan.making_way import FADES, MOMENT, made_way
 from vad.plan.marks import Fading, Flying, Leg, Lettering, Mark, Polyline, line
@@ -20,8 +20,8 @@ from vad.plan.page.changing import SAID
     ("name", "most"),
     [
         # A crank whose copy turns about its pin, at the top of the page.
-        ("elliptical-trammel", {"heading": 3}),
-        ("whitworth", {"heading": 1}),
+        ("elliptical-trammel", {"heading": 1}),
+        ("whitworth", {}),
         ("gate-actuator", {}),
     ],
 )
@@ -81,14 +81,14 @@ def test_what_has_grown_before_does_not_grow_again():
     assert made_way(growing, 3) == growing
 
 
-def test_the_caption_and_the_title_make_way_and_items_stay_the_same_in_a_beat():
+def test_a_heading_makes_way_and_items_stay_the_same_in_a_beat():
     stage = stage_of("elliptical-trammel")
-    scene, flight = next(iter(flights(stage)))
-    moments = [Moment(flight.since, share, scene) for share in (0.1, 0.15, 0.9)]
+    scene, flight = next(f for f in flights(stage) if f[1].stroke == "velocity:AB.tangential")
+    moments = [Moment(flight.since, share, scene) for share in (0.1, 0.5, 0.9)]
     shown = [seen(stage, moment) for moment in moments]
     assert all(a is b for a, b in zip(shown[0], shown[2], strict=True))
-    (title,) = (item for item in shown[1] if item.region == TITLE)
-    inks = [[mark.alpha for mark in title.at(each.share)] for each in moments]
+    heads = [item for item in shown[1] if item.region.endswith(head_of("position"))]
+    inks = [[mark.alpha for item in heads for mark in item.at(each.share)] for each in moments]
     assert min(inks[1]) == pytest.approx(SAID) and min(inks[2]) == 1.0
     # It stays above the caption, which is read meanwhile.
     low = stage.regions[CAPTION].top

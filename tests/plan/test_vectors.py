@@ -151,8 +151,8 @@ def test_a_vector_keeps_to_the_side_on_which_it_lies():
     assert min(map(abs, sides)) > 0.006
 
 
-def test_a_construction_runs_in_the_lane_of_its_result():
-    _, board = drawn("slider-crank", {"angle": 90})
+def test_a_construction_runs_through_its_point_where_its_result_has_a_lane():
+    sheet, board = drawn("slider-crank", {"angle": 90})
     lines = {
         item.stroke: mark.shape.pieces[0]
         for item in board.items
@@ -160,7 +160,10 @@ def test_a_construction_runs_in_the_lane_of_its_result():
         if mark.role == "construction" and isinstance(mark.shape, Polyline)
     }
     shafts = {item.stroke: ends(item) for item in pictured(board)}
-    assert lines["velocity:DC.line"][0] == shafts["velocity:DC.sliding"][0]
+    panel = sheet.panel("velocity")
+    pole = board.sketches["velocity"].scale(panel.strokes[panel.number("DC.line")].shape.through)
+    assert lines["velocity:DC.line"][0] == pole
+    assert abs(shafts["velocity:DC.sliding"][0] - pole) > VECTOR / 2
 
 
 def dots_at(board: Plan, region: str, beat: int) -> list[complex]:
