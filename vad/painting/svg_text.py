@@ -252,6 +252,8 @@ def _data(letter: Letter) -> str:
         command, count = _COMMANDS[kinds[place]]
         u, v = (0, 0) if command == "M" else points[place - 1]
         ways = [way for x, y in points[place : place + count] for way in (x - u, y - v)]
+        if command == "l" and 0 in ways:  # a level or an upright line
+            command, ways = ("v", ways[1:]) if not ways[0] else ("h", ways[:1])
         data += (" " if command == before else command) + " ".join(map(str, ways))
         before, place = command, place + count
     return data.replace(" -", "-")
