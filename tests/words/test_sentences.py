@@ -98,13 +98,16 @@ def test_units_are_multiplied_like_numbers(name: str) -> None:
 
 
 def dimensions(said: dict[str, Any], names: list[str | float]) -> list[tuple[int, int]]:
-    """Return the powers of length and of time in the numbers of a sentence."""
+    """Return the powers of length and of time in the numbers of a sentence.
+
+    The 2π/60 by which turns a minute become rad/s is a number.
+    """
     found = []
     for name in names:
         part = said["parts"][name] if isinstance(name, str) else {}
         unit, power = part.get("unit", ""), part.get("power", 1)
         length, _, second = unit.partition("/")
-        times = {"": 0, "s": -1, "s^2": -2}[second]
+        times = -1 if unit == "rpm" else {"": 0, "s": -1, "s^2": -2}[second]
         found.append((power * (length in ("mm", "cm", "m", "ft", "in")), power * times))
     return found
 
@@ -119,13 +122,13 @@ def in_figures(caption: str) -> Iterator[bool]:
 @pytest.mark.exhaustive
 @pytest.mark.parametrize("name", [*MECHANISMS, *EXAMPLES])
 def test_every_number_of_a_caption_is_in_its_data(name: str) -> None:
-    """What is written in figures is a figure, but for right angles and the 2 of Coriolis."""
+    """What is written in figures is a figure, but for 90°, 2π·n/60 and the 2 of Coriolis."""
     for sheet in poses_of(name):
         for half in sheet.halves:
             for stroke in half.strokes:
                 kinds = [piece.text for piece in stroke.said.pieces if piece.kind == "words"]
                 fixed = {found for text in kinds for found in FIGURE.findall(text)}
-                assert fixed <= {"1", "2", "3", "4", "24", "90"}, stroke.caption
+                assert fixed <= {"1", "2", "3", "4", "24", "60", "90"}, stroke.caption
 
 
 @pytest.mark.exhaustive
