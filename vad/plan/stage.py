@@ -1,7 +1,8 @@
 """The stage of a lesson: the panel in work is large, and the panels move from scene to scene.
 
 A lesson with several panels is a row of scenes (`vad.lecture.scenes`), each of them a `Plan` of the
-same sheet in a layout of its own.  After the last scene comes the sheet as it is drawn as a still.
+same sheet in a layout of its own.  After the last scene comes the sheet as it is drawn as a still,
+a little smaller, so that the answer stands below it.
 Between two of them every panel moves from its place in one to its place in the other
 (`vad.plan.moving`).
 """
@@ -16,7 +17,7 @@ from vad.lecture.answer import answer
 from vad.lecture.chapters import Chapter
 from vad.lecture.moment import Moment, drawing, finished
 from vad.lecture.scenes import scenes
-from vad.plan.board import Plan, column, pictures, plan, reach
+from vad.plan.board import Plan, arrange, column, pictures, plan, reach, regions_of
 from vad.plan.format import Format
 from vad.plan.geometry import Rect
 from vad.plan.items import CAPTION, FLIGHT, TITLE, Item, Level, head_of, in_painting_order
@@ -50,8 +51,8 @@ from vad.strokes.travel import Travel
 
 #: The regions in which panels move: between scenes above the caption, at last on the whole page.
 MOVING, LAST_MOVE = "moving", "last move"
-#: The region of the answer below the whole sheet.
-ANSWER = "answer"
+#: The region of the answer below the whole sheet, and the gap above it.
+ANSWER, ABOVE_ANSWER = "answer", 0.02
 #: The regions that all scenes have in common.
 SHARED = (TITLE, CAPTION, CHAPTERS, FLIGHT)
 SMALL_TITLE, LEAST_SMALL_TITLE = 0.030, 0.020
@@ -99,8 +100,8 @@ class Stage:
         self.regions: dict[str, Rect] = {TITLE: first[TITLE]}
         for number, layout in enumerate(self._layouts):
             self._add(number, layout.regions)
-        last = self.whole.regions
-        self._add(len(self._layouts), {**last, ANSWER: last[CAPTION]})
+        answered = regions_of(self._answered_page)[CAPTION]
+        self._add(self.count, {**self._last().regions, ANSWER: answered})
         self.regions[MOVING] = Rect(0.0, low, form.width, top)
         self.regions[LAST_MOVE] = Rect(0.0, 0.0, form.width, top)
         self.regions |= {name: first[name] for name in (CAPTION, CHAPTERS)}
@@ -122,9 +123,14 @@ class Stage:
 
     @cached_property
     def whole(self) -> Plan:
-        """The sheet, as a still shows it, above its answer."""
+        """The sheet, as a still shows it."""
+        return plan(self.sheet, self.form, self._key)
+
+    @cached_property
+    def _answered_page(self) -> Page:
+        """The page of the sheet with room for the answer."""
         lines = lines_at_last(self._answer, self.form.width - 2 * MARGIN)
-        return plan(self.sheet, self.form, self._key, lines=lines)
+        return arrange(self.sheet, self.form, lines)[0]
 
     def at(self, moment: Moment) -> Sequence[Item]:
         """Return the items that show at a moment, in painting order; see `Board`."""
@@ -164,9 +170,19 @@ class Stage:
         return self._layouts[number]
 
     def _last(self) -> Plan:
-        items = [*_in_scene((i for i in self.whole.items if i.region != TITLE), self.count)]
-        items += self._answered(self.whole.page)
-        return replace(self.whole, items=tuple(items))
+        """Return the still, as much smaller as the answer below it needs."""
+        whole, items = self.whole, [i for i in self.whole.items if i.region != TITLE]
+        top, low = whole.regions[TITLE].bottom, reach(items).bottom
+        answered = regions_of(self._answered_page)[CAPTION].top + ABOVE_ANSWER
+        factor = min(1.0, (top - answered) / (top - low)) if self._answer else 1.0
+        shift = (1.0 - factor) * complex(self.form.width / 2, top)
+        items = [
+            replace(each, marks=tuple([mark.mapped(factor, shift) for mark in each.marks]))
+            for each in items
+        ]
+        shown = [*_in_scene(items, self.count), *self._answered(self._answered_page)]
+        regions = {name: area.mapped(factor, shift) for name, area in whole.regions.items()}
+        return replace(whole, items=tuple(shown), regions=regions)
 
     def _answered(self, page: Page) -> list[Item]:
         """Return the answer on a page; in the last move, its caption goes to its place."""
