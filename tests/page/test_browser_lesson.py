@@ -62,7 +62,8 @@ def test_every_stroke_by_keyboard_and_back(lesson: Page) -> None:
         text = lesson.locator(".caption p").inner_text().replace("\u00a0", " ")
         plain = captions[number - 1].translate(str.maketrans("₀₁₂₃₄₅ₙ²", "012345n2"))
         assert text == plain
-        assert lesson.locator(".scrub").get_attribute("aria-valuetext") == spoken[number - 1]
+        words = next(each for each in reversed(spoken[:number]) if each)
+        assert lesson.locator(".scrub").get_attribute("aria-valuetext") == words
     press(lesson, "ArrowRight", "PageDown")
     assert at(lesson) == STROKES
     expect(lesson.locator(".steps a[aria-current]")).to_be_in_viewport(ratio=1)

@@ -241,13 +241,13 @@ def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, st
     """Return the caption of a step as an entry of the list, and as it is read out.
 
     Of several strokes with one caption only the entry of the first is seen, and only it has the
-    caption: the player gives it to the others, and to all of them the address of their step.
+    caption and its words: the player gives them to the others, and to all of them the address of
+    their step.
     """
-    pieces = pieces_of(step.stroke.said)
-    seen = " class=same" if step.repeats else ""
-    shown = "" if step.repeats else _beats(step, words)
-    item = f"<li{seen}><a>{shown}</a>"  # the next one ends it, or the list
-    return item, spoken(pieces, lesson.sheet.language)
+    if step.repeats:
+        return "<li class=same><a></a>", ""
+    item = f"<li><a>{_beats(step, words)}</a>"  # the next one ends it, or the list
+    return item, spoken(pieces_of(step.stroke.said), lesson.sheet.language)
 
 
 def _beats(step: LessonStep, words: RunWriter) -> str:

@@ -205,7 +205,9 @@ export function mount(root, data, { address = true } = {}) {
   function say(stroke) {
     if (stroke === spoken) return;
     spoken = stroke;
-    const panel = panelOf(stroke), words = lesson.spoken[stroke] ?? lesson.words.begin;
+    let shown = stroke;
+    while (shown > 0 && lesson.links[shown].parentNode.className === "same") shown -= 1; // Each round goes one entry back.
+    const panel = panelOf(stroke), words = lesson.spoken[shown] ?? lesson.words.begin;
     lesson.panel = panel;
     near(Math.max(1, panel));
     if (stroke < 0) caption.textContent = words;
@@ -214,8 +216,6 @@ export function mount(root, data, { address = true } = {}) {
     count.textContent = stroke < 0 ? "" : `${stroke - first + 1} / ${whole}`;
     scrub.setAttribute("aria-valuetext", words);
     status.textContent = document.activeElement === scrub ? "" : words;
-    let shown = stroke;
-    while (shown > 0 && lesson.links[shown].parentNode.className === "same") shown -= 1; // Each round goes one entry back.
     lesson.links.forEach((link, i) => i === shown ? link.setAttribute("aria-current", "step") : link.removeAttribute("aria-current"));
     follow();
     const chapter = lesson.chapters.findLast((each) => each.dataset.x <= Math.max(stroke, 0));
