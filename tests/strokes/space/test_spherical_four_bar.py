@@ -143,6 +143,9 @@ def test_the_plane_of_the_coupler_swings_from_where_it_is_into_the_paper(angle: 
         line = lines[number]
         assert isinstance(line, Line)
         assert abs((line.direction * shape.arms[number].conjugate()).imag) < 1e-9
+        laid = stroke(drawn.panel("position"), f"O{letter}.laid").shape
+        assert isinstance(laid, Curve)
+        assert laid.points[0] == pytest.approx(shape.arms[number])
 
 
 @poses
@@ -186,5 +189,5 @@ def test_the_axes_turned_into_the_paper_stay_with_their_angles(angle: int, assem
         assert isinstance(arc.shape, Arc) and abs(arc.shape.sweep) == pytest.approx(size, abs=1e-6)
         turned = arc.shape.start + arc.shape.sweep
         assert cmath.rect(1.0, math.radians(turned)) == pytest.approx(outer)
-        assert abs((at * cmath.rect(1.0, -math.radians(arc.shape.start))).imag) < 1e-9
+        assert at * cmath.rect(1.0, -math.radians(arc.shape.start)) == pytest.approx(abs(at))
         assert arc.label == f"{size:.1f}°" or arc in views.zeros

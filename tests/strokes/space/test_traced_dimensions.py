@@ -23,7 +23,7 @@ from tests.strokes.test_traced_dimensions import (
 )
 from tests.strokes.test_traced_sheet import CLOSE, numbers, poses
 from vad.mechanisms import Mechanism
-from vad.strokes.scripts import rssr, spatial_four_bar, spherical_four_bar
+from vad.strokes.scripts import rssr, spatial_four_bar
 from vad.strokes.space import bodies
 from vad.strokes.space.layout import Corners, Layout
 from vad.strokes.traced_dimensions import sides_of, traced_dimensions
@@ -78,9 +78,6 @@ def kept_views(monkeypatch: pytest.MonkeyPatch, request: pytest.FixtureRequest) 
     if isinstance(own, vad.SphericalFourBar | vad.HookeJoint):
         side = bodies._side(own)
         monkeypatch.setattr(bodies, "_side", lambda other: side)
-    if isinstance(own, vad.SphericalFourBar):
-        sense = spherical_four_bar._sense(own)
-        monkeypatch.setattr(spherical_four_bar, "_sense", lambda other: sense)
     return own
 
 

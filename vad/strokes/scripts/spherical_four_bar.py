@@ -5,18 +5,14 @@ The sphere has the radius 1; its outline is the great circle of the frame, on wh
 
 from collections.abc import Mapping
 from dataclasses import replace
-from functools import lru_cache, partial
+from functools import partial
 from typing import Any
-
-import numpy as np
 
 from vad.kinematics.numbers import fold, minimum, select
 from vad.strokes.arithmetic import Figure, product_of_sines
 from vad.strokes.diagram import VELOCITY, Drawing, Spot
 from vad.strokes.sheet import Curve, Dot
-from vad.strokes.space.bodies import SAMPLES
 from vad.strokes.space.body_polygons import BodyScript, Names
-from vad.strokes.space.layout import over_its_range
 from vad.strokes.space.view import ORIGIN, View, circle
 
 #: Of the roses: where they and their notes are; radius, line of reference, radius of the arc.
@@ -92,19 +88,12 @@ class Script(BodyScript):
         self.tell("I")
         construction("BC.circle", great, "B")
         crossing("I.found", Dot(at["I"]), label="I")
-        sense = _sense(self.settled)
-        construction("OI.line", Curve((min(0.0, sense) * at["I"], at["I"]), far=True), "B")
+        construction("OI.line", Curve((0j, at["I"]), far=True), "B")
         self.tell("laid", b=self.angle(abs(from_b)), c=self.angle(abs(from_c)))
-        self.lay_over({"B": "B", "C": "C"}, 1.0, ARCS, sense)
+        self.lay_over({"B": "B", "C": "C"}, 1.0, ARCS)
         notes = (self.note(z, "along", f"{x}.rose", axis="O" + x) for x, z in NOTES.items())
         return self.finished(("AB.arc", "BC.arc"), ("AD.arc", "DC.arc"), *notes)
 
     def _rose(self, at: str, bar: str, link: str, angle: Figure, label: str = "") -> None:
         names = f"{at}.rose", f"{at}.reference", f"{bar}.rose", f"{bar}.angle"
         self.rose(names, ROSES[at], SIZES, angle, link, label)
-
-
-@lru_cache(maxsize=64)
-def _sense(mechanism: Any) -> float:
-    """Return -1 if I lies below O in most poses: OB and OC lie upwards, where there is room."""
-    return -1.0 if np.nanmedian(over_its_range(mechanism, SAMPLES).spots()["I"].imag) < 0.0 else 1.0

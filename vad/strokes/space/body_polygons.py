@@ -319,23 +319,21 @@ class BodyScript(Script):
         """How its bodies turn."""
         return Bodies(self, self.frame())
 
-    def lay_over(
-        self, ends: Mapping[str, str], length: float, arcs: tuple[float, float], sense: Any = 1.0
-    ) -> None:
+    def lay_over(self, ends: Mapping[str, str], length: float, arcs: tuple[float, float]) -> None:
         """Draw two axes of the coupler's plane, rotated into the paper, and their arcs from OI.
 
         ``ends`` are the letters at their ends and the rows whose colours they have.  The larger arc
-        has the first radius.  The ``sense`` is -1 if lines are drawn from O away from these ends.
+        has the first radius.
         """
         bodies, at = self.bodies, self.centre
-        start = bearing(sense * bodies.seen(bodies.axis.i))
+        start = bearing(bodies.seen(bodies.axis.i))
         axes = bodies.axis.b, bodies.axis.c
         turned = [bodies.arc(axis) for axis in axes]
         sizes = [not_below(arc, -arc) for arc in turned]
         larger = sizes[0] > sizes[1]
         radii = select(larger, *arcs), select(larger, *reversed(arcs))
         for number, (letter, link) in enumerate(ends.items()):
-            name, way = "O" + letter, sense * length * bodies.laid(axes[number])
+            name, way = "O" + letter, length * bodies.laid(axes[number])
             line = Curve((at + way, at + 0.6 * way, at))  # its name stands near its end
             self.draw("construction", f"{name}.laid", line, link, name)
             angle, label = (
