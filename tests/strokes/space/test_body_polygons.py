@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 
 import numpy as np
 import pytest
 
 import vad
+from tests.strokes.named import dot
 from vad.strokes.sentences import Sentence
+from vad.strokes.sheet import Arrow, Curve, Dot, Panel
 from vad.strokes.space.body_polygons import BodyScript
 from vad.strokes.space.scene import SceneInSpace
 from vad.words import Language
@@ -57,6 +60,54 @@ def test_the_rate_at_which_oi_turns_is_a_part_of_the_coupler_s_over_a_sine(
             assert figures["part"] == pytest.approx(part)
             assert math.sin(math.radians(figures["delta"])) == pytest.approx(sine)
         assert figures["value"] == pytest.approx(figures["omega"] * part / sine)
+
+
+def axis_drawn(views: Panel, name: str) -> complex:
+    """Return the direction in which the axis OX is drawn from O on; those of shafts are given."""
+    shafts = {"O2": -1j, "O4": cmath.rect(1.0, math.radians(-60.0))}
+    if name in shafts:
+        return shafts[name]
+    strokes = {each.name: each.shape for each in views.strokes}
+    for curve in (f"{name}.laid", f"star.{name[1]}"):  # the one ends at O, the other begins there
+        if isinstance(shape := strokes.get(curve), Curve):
+            ends = shape.points[0], shape.points[-1]
+            return ends[0] - ends[1] if curve.endswith("laid") else ends[1] - ends[0]
+    if name == "OT":
+        line = strokes["OT.line"]
+        assert isinstance(line, Curve)
+        return dot(views, "T.plan") - sum(line.points) / 2.0
+    at = {s.part.of: s.shape.at for s in views.strokes if isinstance(s.shape, Dot)}
+    return at[name[1]] - at["O"]
+
+
+@pytest.mark.parametrize("angle", ANGLES)
+@pytest.mark.parametrize("name", KINDS)
+def test_a_rate_has_the_sign_of_its_vector_along_the_axis_that_is_drawn(
+    name: str, angle: float
+) -> None:
+    """In the table and in all that is said, so that the numbers of a sum add up as it is drawn."""
+    drawn = vad.draw(scene(name, angle=angle, alpha=20.0).motion)
+    views, hooke = drawn.panel("position"), name == "hooke-joint"
+    letters = "24TPQ" if hooke else "ADIBC"
+    axes = dict(zip(("₂", "₄", "₄₂", "₃₂", "₃₄"), letters, strict=True))
+    tabled = {x.symbol: x.value for row in drawn.rows for each in row.cells.values() for x in each}
+    seen = set()
+    for panel in ("velocity", "acceleration"):
+        for stroke in drawn.panel(panel).strokes:
+            symbol, shape = stroke.label, stroke.shape
+            axis = axes.get(symbol[1:].rstrip("ₜ"))
+            if axis is None or not isinstance(shape, Arrow):
+                continue
+            way = axis_drawn(views, f"O{axis}")
+            along = ((shape.end - shape.start) * way.conjugate() / abs(way)).real
+            assert abs(along) == pytest.approx(abs(shape.end - shape.start)), symbol
+            stated = [tabled[symbol]] if symbol in tabled else []
+            if isinstance(stroke.said, Sentence) and stroke.said.parts.get("symbol") == symbol:
+                stated += [each.value for each in stroke.said.figures(("value",))]
+            for value in stated:
+                assert value == pytest.approx(along), symbol
+                seen.add(symbol)
+    assert {"ω₂", "ω₄", "ω₄₂", "α₂", "α₄", "α₄₂ₜ"} <= seen
 
 
 @pytest.mark.parametrize("name", KINDS)

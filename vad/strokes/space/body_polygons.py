@@ -142,12 +142,10 @@ class BodyPolygon:
         along, across = bodies.relative(self.order)
         crank = self._vector("12", self.one, self.two, {"absolute": lambda label: self.opening})
         parts = [self._part(crank, "absolute", bodies.seen(Z), self.crank, dictated=True)]
-        # What the table states has its sign there.
-        size = along if self._is_measured("24") else abs(along)
         symbol = RELATIVE[self.order.number]
         says: dict[str, Callable[..., Sentence]] = {
             "line": self._line("24"),
-            "result": self._says("bodies measured", "24", size, symbol),
+            "result": self._says("bodies measured", "24", along, symbol),
             "whole": partial(self.scene.say, "bodies whole", symbol=self._symbol("24")),
         }
         component: Component = "relative"
