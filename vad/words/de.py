@@ -350,7 +350,7 @@ PHRASES = {
         "*OA* und *OD* liegen im Blatt."
     ),
     "spherical crank angle": (
-        "Längs *OA* gesehen steht die Kurbel bei {angle}°, vom Bogen *AD* gegen den Uhrzeigersinn."
+        "Längs *AO* gesehen steht die Kurbel bei {angle}°, vom Bogen *AD* gegen den Uhrzeigersinn."
     ),
     "spherical crank": (
         "*B* läuft um *OA* auf einem Kreis, der als Strecke erscheint: die Kurbel ist *AB* = "
@@ -361,15 +361,16 @@ PHRASES = {
         "{rocker}°, als Strecke zu sehen."
     ),
     "spherical bars": (
-        "Die Koppel steht bei *θ_B* = {b}° zur Kurbel, bei *θ_C* = {c}° zur Schwinge *DC*."
+        "Die Koppel *BC* steht bei *θ_B* = {b}° zum verlängerten Bogen *AB*; von *CD* nach *CB* "
+        "ist *θ_C* = {c}°."
     ),
     "spherical rocker angle": (
-        "Längs *OD* gesehen steht die Schwinge bei {symbol} = {angle}°, vom verlängerten Bogen "
+        "Längs *DO* gesehen steht die Schwinge bei {symbol} = {angle}°, vom verlängerten Bogen "
         "*AD* aus."
     ),
     "spherical I": (
-        "Die Großkreise von *BC* und *AD* schneiden sich in *I*: um *OI* dreht sich die Schwinge "
-        "relativ zur Kurbel."
+        "Die Großkreise von *BC* und *AD* schneiden sich in *I* im Winkel *δ* = {delta}°; *AI* = "
+        "{ai}°, *DI* = {di}°. Um *OI* dreht sich die Schwinge relativ zur Kurbel."
     ),
     "spherical laid": "Um *OI* ins Blatt umgeklappt liegt *OB* {b}° und *OC* {c}° von *OI*.",
     # Pläne von Körpern
@@ -381,12 +382,12 @@ PHRASES = {
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, von {tail} nach {head}.",
     "bodies turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, das sich mit "
-        "*τ̇* = (*ω₃* der Koppel ⟂ *OI*)/sin(Ebenenwinkel) dreht."
+        "Betrag: {symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; *τ̇* ist "
+        "der Teil von *ω₃* in der Ebene *BOC* ⟂ *OI*, geteilt durch sin *δ*."
     ),
     "bodies turned coupler": (
-        "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; es "
-        "dreht sich hier mit *τ̇₃*: *ω₃* ⟂ *OI* im Gestell."
+        "Betrag: {symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; "
+        "*τ̇₃* ebenso mit dem Teil in der Ebene *AOD*."
     ),
     "bodies turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, mit *τ̇* = "

@@ -351,7 +351,7 @@ PHRASES = {
         "in the paper."
     ),
     "spherical crank angle": (
-        "Seen along *OA*, the crank stands at {angle}°, counter-clockwise from *AD*."
+        "Seen along *AO*, the crank stands at {angle}°, counter-clockwise from *AD*."
     ),
     "spherical crank": (
         "*B* turns about *OA* on a circle seen as a line: the crank is *AB* = {size}°."
@@ -361,14 +361,15 @@ PHRASES = {
         "*DC* = {rocker}°, seen as a line."
     ),
     "spherical bars": (
-        "The coupler *BC* stands at *θ_B* = {b}° to the crank, at *θ_C* = {c}° to the rocker *DC*."
+        "The coupler *BC* stands at *θ_B* = {b}° from *AB* produced; from *CD* to *CB*, "
+        "*θ_C* = {c}°."
     ),
     "spherical rocker angle": (
-        "Seen along *OD*, the rocker stands at {symbol} = {angle}° from *AD*, produced beyond *D*."
+        "Seen along *DO*, the rocker stands at {symbol} = {angle}° from *AD*, produced beyond *D*."
     ),
     "spherical I": (
-        "The great circles of *BC* and *AD* meet at *I*: the rocker turns about *OI* relative to "
-        "the crank."
+        "The great circles of *BC* and *AD* meet at *I* at the angle *δ* = {delta}°; *AI* = {ai}°, "
+        "*DI* = {di}°. The rocker turns about *OI* relative to the crank."
     ),
     "spherical laid": "Turned about *OI* into the paper, *OB* is {b}° and *OC* is {c}° from *OI*.",
     # polygons of bodies
@@ -381,12 +382,12 @@ PHRASES = {
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, from {tail} to {head}.",
     "bodies turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, which turns at "
-        "*τ̇* = (*ω₃* of the coupler ⟂ *OI*)/sin(angle of the planes)."
+        "In size, {symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; *τ̇* is "
+        "the part of *ω₃* in the plane *BOC*, ⟂ *OI*, over sin *δ*."
     ),
     "bodies turned coupler": (
-        "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, which "
-        "turns here at *τ̇₃*, from *ω₃* ⟂ *OI* in the frame."
+        "In size, {symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; "
+        "*τ̇₃* likewise, with the part in the plane *AOD*."
     ),
     "bodies turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, which turns at *τ̇* = "

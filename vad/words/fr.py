@@ -360,7 +360,7 @@ PHRASES = {
         "*OD* sont dans la feuille."
     ),
     "spherical crank angle": (
-        "Vue suivant *OA*, la manivelle est à {angle}° de l’arc *AD*, dans le sens trigonométrique."
+        "Vue suivant *AO*, la manivelle est à {angle}° de l’arc *AD*, dans le sens trigonométrique."
     ),
     "spherical crank": (
         "*B* tourne autour de *OA* sur ce cercle, vu par la tranche : *AB* = {size}°."
@@ -370,14 +370,14 @@ PHRASES = {
         "*D*, *DC* = {rocker}°, vu par la tranche."
     ),
     "spherical bars": (
-        "La bielle *BC* est à *θ_B* = {b}° de la manivelle, à *θ_C* = {c}° du balancier *DC*."
+        "La bielle *BC* est à *θ_B* = {b}° de l’arc *AB* prolongé ; de *CD* à *CB*, *θ_C* = {c}°."
     ),
     "spherical rocker angle": (
-        "Vu suivant *OD*, le balancier est à {symbol} = {angle}° de l’arc *AD* prolongé."
+        "Vu suivant *DO*, le balancier est à {symbol} = {angle}° de l’arc *AD* prolongé."
     ),
     "spherical I": (
-        "Les grands cercles de *BC* et de *AD* se coupent en *I* : le balancier tourne autour de "
-        "*OI* par rapport à la manivelle."
+        "Les grands cercles de *BC* et *AD* se coupent en *I* sous l’angle *δ* = {delta}° ; *AI* = "
+        "{ai}°, *DI* = {di}°. *OI* est l’axe du balancier par rapport à la manivelle."
     ),
     "spherical laid": (
         "Rabattus autour de *OI* sur la feuille, *OB* est à {b}° et *OC* à {c}° de *OI*."
@@ -391,12 +391,12 @@ PHRASES = {
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, de {tail} à {head}.",
     "bodies turned frame": (
-        "{symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui tourne à "
-        "*τ̇* = (*ω₃* de la bielle ⟂ *OI*)/sin(angle des plans)."
+        "Norme : {symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI* ; *τ̇* est "
+        "la composante de *ω₃* dans le plan *BOC*, ⟂ *OI*, divisée par sin *δ*."
     ),
     "bodies turned coupler": (
-        "{symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*, qui "
-        "tourne ici à *τ̇₃*, avec *ω₃* ⟂ *OI* dans le bâti."
+        "Norme : {symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI* ; "
+        "*τ̇₃* de même, avec la composante dans le plan *AOD*."
     ),
     "bodies turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, qui tourne à *τ̇* = "

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from vad.kinematics.numbers import fold, minimum, select
+from vad.kinematics.numbers import fold, minimum, not_below, select
 from vad.strokes.arithmetic import Figure, product_of_sines
 from vad.strokes.diagram import VELOCITY, Drawing, Spot
 from vad.strokes.sheet import Curve, Dot
@@ -39,19 +39,24 @@ class Script(BodyScript):
         return {Spot(letter): self.bodies.seen(self.axis(letter)) for letter in "ABCDI"}
 
     def names(self) -> Names:
-        from_a = self.bodies.screw.tau
-        from_d = fold(from_a - self.sizes["ground"])
-        sign = -1.0 if from_a <= 0.0 and from_d <= 0.0 else 1.0
+        ai, di = self._from_shafts()
         sines = partial(
             self.scene.say,
             "bodies sines",
             product_of_sines("value", "crank", "ai", "di"),
             crank=Figure(self.motion.link("crank").omega, VELOCITY.unit, given=True),
-            ai=self.angle(sign * from_a),
-            di=replace(self.angle(sign * from_d), power=-1),
+            ai=ai,
+            di=replace(di, power=-1),
         )
         measured = dict.fromkeys((1, 2), ("12", "14", "23", "43"))
         return Names(ROWS, measured=measured, results={"14": sines})
+
+    def _from_shafts(self) -> tuple[Figure, Figure]:
+        """Return the arcs AI and DI, towards D; both the other way round if none is positive."""
+        from_a = self.bodies.screw.tau
+        from_d = fold(from_a - self.sizes["ground"])
+        sign = select(not_below(from_a, from_d) > 0.0, 1.0, -1.0)
+        return self.angle(sign * from_a), self.angle(sign * from_d)
 
     def views(self) -> Drawing:
         fixed, guide, known, construction, crossing, _, _, bar = self.pens
@@ -85,13 +90,15 @@ class Script(BodyScript):
         from_b, from_c = self.bodies.arc(b), self.bodies.arc(c)
         begin = select(from_b > 0.0, from_b, minimum(0.0, from_c))
         great = view.circle(ORIGIN, i, self.bodies.axis.j, begin, -begin)
-        self.tell("I")
+        ai, di = self._from_shafts()
+        found = {"ai": ai, "di": di, "delta": self.angle(self.bodies.screw.delta)}
+        self.tell("I", **{name: replace(each, digits=4) for name, each in found.items()})
         construction("BC.circle", great, "B")
         crossing("I.found", Dot(at["I"]), label="I")
         construction("OI.line", Curve((0j, at["I"]), far=True), "B")
         self.tell("laid", b=self.angle(abs(from_b)), c=self.angle(abs(from_c)))
         self.lay_over({"B": "B", "C": "C"}, 1.0, ARCS)
-        notes = (self.note(z, "along", f"{x}.rose", axis="O" + x) for x, z in NOTES.items())
+        notes = (self.note(z, "along", f"{x}.rose", axis=x + "O") for x, z in NOTES.items())
         return self.finished(("AB.arc", "BC.arc"), ("AD.arc", "DC.arc"), *notes)
 
     def _rose(self, at: str, bar: str, link: str, angle: Figure, label: str = "") -> None:
