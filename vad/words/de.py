@@ -1185,6 +1185,7 @@ SPOKEN = {
     "α": "Alpha",
     "β": "Beta",
     "θ": "Theta",
+    "δ": "Delta",
     "τ": "tau",
     "ψ": "psi",
     "ω": "Omega",

@@ -1042,6 +1042,7 @@ SPOKEN = {
     "α": "alpha",
     "β": "beta",
     "θ": "theta",
+    "δ": "delta",
     "τ": "tau",
     "ψ": "psi",
     "ω": "omega",

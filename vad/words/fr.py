@@ -1172,6 +1172,7 @@ SPOKEN = {
     "α": "alpha",
     "β": "bêta",
     "θ": "thêta",
+    "δ": "delta",
     "τ": "tau",
     "ψ": "psi",
     "ω": "oméga",
