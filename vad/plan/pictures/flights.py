@@ -214,7 +214,8 @@ class Flight:
         if abs(source[1] - source[0]) < SHORTEST_FLIGHT or length < SHORTEST:
             return None
         during = polygon.setting.during(index)
-        tails = (tail for each in polygon.items if each.stroke == stroke for tail in _tails(each))
+        own = (each for each in polygon.items if (each.stroke, each.since) == (stroke, during))
+        tails = (tail for each in own for tail in _tails(each))
         centre = next(tails, polygon.scale(travel.start))
         flight = cls(stroke, travel, polygon, during, index, source, figure, centre, *edges)
         if not flight.is_vector:
