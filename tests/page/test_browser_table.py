@@ -72,9 +72,9 @@ def test_a_sense_in_the_table_goes_under_the_hand_and_leaves_the_unit(
 ) -> None:
     """A rate has one where the drawing has no clear room for its arrow."""
     said = """() => [...document.querySelectorAll(".cell")].map((each) => each.textContent)
-        .filter((each) => each.startsWith("α2"))"""
+        .filter((each) => each.startsWith("α3"))"""
     with opened(browser, viewport={"width": 1280, "height": 720}, reduced_motion="reduce") as page:
-        opened_hand(page, tmp_path, "tipper")
+        opened_hand(page, tmp_path, "drag-link")
         press(page, "h")
         expect(page.locator(".turned")).to_have_count(0)
         (before,) = page.evaluate(said)
