@@ -71,7 +71,6 @@ def test_a_lens_comes_when_all_points_have_room_in_it(name: str):
         "spatial-four-bar",
         "crank-slotted-lever",
         "shaper",
-        "hoeken",
         "watt-1",
         "trunnion",
     ],
