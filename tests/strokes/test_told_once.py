@@ -54,8 +54,8 @@ def test_a_caption_says_which_of_two_crossings_is_meant(name: str) -> None:
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("beam-engine", "n = 20 rpm: ω₂ = 2π·n/60 = 2.0944 rad/s."),
-        ("sewing-machine", "n = 900 rpm: ω₂ = 2π·n/60 = 94.2478 rad/s."),
+        ("beam-engine", "At 20 rpm, ω₂ = 2π·n/60 = 2.0944 rad/s."),
+        ("sewing-machine", "At 900 rpm, ω₂ = 2π·n/60 = 94.2478 rad/s."),
         ("jansen-leg", ""),
     ],
 )

@@ -150,7 +150,7 @@ PHRASES = {
     "pole acceleration one": (
         "Der Pol: der feste Punkt {point} hat keine Beschleunigung, also liegt {letters} hier."
     ),
-    "pole turning": "{said} *n* = {count} U/min: {omega} = 2π·*n*/60 = {rate} {rad/s}.",
+    "pole turning": "{said} Bei {count} U/min ist {omega} = 2π·*n*/60 = {rate} {rad/s}.",
     "pole steady": "{said} Längs {line:des} ist {symbol} null.",
     "pole steady point": (
         "{said} Längs {line:des} ist {symbol} null, also liegt auch {letter} hier."

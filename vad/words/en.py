@@ -159,7 +159,7 @@ PHRASES = {
     "pole acceleration one": (
         "The pole: the fixed point {point} has no acceleration, so {letters} lies here."
     ),
-    "pole turning": "{said} *n* = {count} rpm: {omega} = 2π·*n*/60 = {rate} {rad/s}.",
+    "pole turning": "{said} At {count} rpm, {omega} = 2π·*n*/60 = {rate} {rad/s}.",
     "pole steady": "{said} Along the {line}, {symbol} is zero.",
     "pole steady point": "{said} Along the {line}, {symbol} is zero, so {letter} lies here, too.",
     "on the guide": "{letter} ({point} on the guide)",

@@ -143,7 +143,7 @@ PHRASES = {
         "son point le plus proche de {tail}."
     ),
     "plate": "{link:Le} est une pièce rigide de sommets {corners}.",
-    "third point": "{letter} est l’intersection avec {corners} {sense}.",
+    "third point": "{letter} est l’intersection où {corners} se suivent {sense}.",
     "on link slot": "{letter} est à l’intersection de l’arc et de l’axe de la rainure.",
     "in slot": "{head} est sur l’axe de la rainure {link:du}.",
     "tip": "{letter} est sur {link:le}, à {size} {unit} de {tail}.",
@@ -159,7 +159,7 @@ PHRASES = {
     "pole acceleration one": (
         "Le pôle : le point fixe {point} n’a pas d’accélération, donc {letters} est ici."
     ),
-    "pole turning": "{said} *n* = {count} tr/min : {omega} = 2π·*n*/60 = {rate} {rad/s}.",
+    "pole turning": "{said} À {count} tr/min, {omega} = 2π·*n*/60 = {rate} {rad/s}.",
     "pole steady": "{said} Le long {line:du}, {symbol} est nulle.",
     "pole steady point": (
         "{said} Le long {line:du}, {symbol} est nulle, donc {letter} est ici aussi."
@@ -979,14 +979,14 @@ NAMES = {
     "ground": "bâti",
     "slider": "coulisseau",
     "block": "coulisseau",
-    "ram": "bélier",
+    "ram": "coulant",
     "yoke": "joug",
     "length": "longueur",
     "guide": "glissière",
     "slot": "rainure",
     "offset": "désaxage",
     "tracer": "point traceur",
-    "ram_height": "hauteur du bélier",
+    "ram_height": "hauteur du coulant",
     "ground_angle": "angle du bâti avec x",
     "guide_a": "glissière A",
     "guide_b": "glissière B",
