@@ -381,6 +381,9 @@ PHRASES = {
     "bodies pole steady": ("Der Pol: das Gestell, 1′, und 2′, denn *α₂* = {value} ist gegeben."),
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, von {tail} nach {head}.",
+    "bodies whole steady": (
+        "{symbol} = {value} {unit}, von {tail} nach {head}: wegen *α₂* = 0 ist es *α₄*."
+    ),
     "bodies turned frame": (
         "Betrag: {symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; *τ̇* ist "
         "der Teil von *ω₃* in der Ebene *BOC* ⟂ *OI*, geteilt durch sin *δ*."
@@ -535,7 +538,7 @@ PHRASES = {
     ),
     "hooke P": (
         "*P*, der Zapfen von Gabel 2, läuft auf diesem Kreis und steht bei {angle}°; *OP* ist "
-        "ein Arm des Kreuzes."
+        "ein Arm des Kreuzes, 3."
     ),
     "hooke ellipse": (
         "*Q*, der Zapfen von Gabel 4, läuft um Welle 4: sein Kreis erscheint als Ellipse, schmaler "
@@ -553,8 +556,9 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "Unten ist *Q* um sin *ψ_P* = sin *β*·sin *θ₄* von der Ebene ⟂ Welle 2 entfernt, *P* um "
-        "sin *ψ_Q* = sin *β*·cos *θ₂* von der ⟂ 4: am Kreuz, 3, *ψ_P* = {at_p}°, *ψ_Q* = {at_q}°."
+        "Unten, mit *OP* = *OQ* = 1, steht *Q* sin *ψ_P* = sin *β*·sin *θ₄* vor der Ebene ⟂ "
+        "Welle 2, *P* sin *ψ_Q* = sin *β*·cos *θ₂* vor der ⟂ 4: das Kreuz hat *ψ_P* = {at_p}°, "
+        "*ψ_Q* = {at_q}°."
     ),
     "hooke T": "Die Gerade durch {one} und {other} trifft die Ebene der Wellen in *T*.",
     "hooke other end": "das andere Ende von *O*{pin}",
@@ -564,7 +568,8 @@ PHRASES = {
     ),
     "hooke tau": "*τ*",
     "hooke laid": (
-        "Um *OT* in die Ebene der Wellen umgeklappt haben *OP* und *OQ* ihre wahre Richtung."
+        "Um *OT* in die Ebene der Wellen umgeklappt, liegt *OP* {at_p}° von *OT*, mit dem "
+        "Kosinus cos *τ*·cos *θ₂*, und *OQ*, ⟂ *OP*, {at_q}°."
     ),
     # Polygone
     "hooke speeds": "*ω₂*, *ω₄*, bei jedem *θ₂* abgetragen",
@@ -584,10 +589,7 @@ PHRASES = {
         "{whole} {unit}; 1 3 verbindet zwei Ebenen und ist nicht *ω₃*."
     ),
     "hooke driven": "{symbol} = {value} {unit}; im Umlauf ist es {low} … {high} mal *ω₂*.",
-    "hooke fold": (
-        "Die Ebene des Kreuzes wird um *OT* in die der Wellen umgeklappt: dort haben *OP* und *OQ* "
-        "ihre wahre Richtung."
-    ),
+    "hooke fold": "*OP* und *OQ* bleiben so umgeklappt.",
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* = *ω₂*·tan "
         "*β*·sin 2*θ₂*·cos² *τ* dreht (tan *τ* abgeleitet)."

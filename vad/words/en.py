@@ -381,6 +381,9 @@ PHRASES = {
     "bodies pole steady": ("The pole: the frame, 1′, and 2′, as *α₂* = {value} is given."),
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, from {tail} to {head}.",
+    "bodies whole steady": (
+        "{symbol} = {value} {unit}, from {tail} to {head}: as *α₂* = 0, it is *α₄*."
+    ),
     "bodies turned frame": (
         "In size, {symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; *τ̇* is "
         "the part of *ω₃* in the plane *BOC*, ⟂ *OI*, over sin *δ*."
@@ -522,7 +525,7 @@ PHRASES = {
     ),
     "hooke P": (
         "*P*, the pin of yoke 2, runs on this circle and stands at {angle}°; *OP* is one arm of "
-        "the cross."
+        "the cross, 3."
     ),
     "hooke ellipse": (
         "*Q*, the pin of yoke 4, turns about shaft 4: its circle is seen as an ellipse, narrowed "
@@ -540,8 +543,9 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "Below, *Q* is sin *ψ_P* = sin *β*·sin *θ₄* off the plane ⟂ shaft 2, *P* sin *ψ_Q* = sin "
-        "*β*·cos *θ₂* off that ⟂ 4: the cross, 3, has *ψ_P* = {at_p}°, *ψ_Q* = {at_q}°."
+        "Below, as *OP* = *OQ* = 1, *Q* is sin *ψ_P* = sin *β*·sin *θ₄* off the plane ⟂ shaft 2, "
+        "*P* sin *ψ_Q* = sin *β*·cos *θ₂* off that ⟂ 4: the cross swings by *ψ_P* = {at_p}°, "
+        "*ψ_Q* = {at_q}°."
     ),
     "hooke T": "The line through {one} and {other} meets the plane of the shafts at *T*.",
     "hooke other end": "the other end of *O*{pin}",
@@ -551,7 +555,8 @@ PHRASES = {
     ),
     "hooke tau": "*τ*",
     "hooke laid": (
-        "Turned about *OT* into the plane of the shafts, *OP* and *OQ* have their true directions."
+        "Turned about *OT* into the plane of the shafts, *OP* is {at_p}° from *OT*, with the "
+        "cosine cos *τ*·cos *θ₂*, and *OQ*, ⟂ *OP*, {at_q}°."
     ),
     # the polygons
     "hooke speeds": "*ω₂*, *ω₄* laid off at each *θ₂*",
@@ -569,10 +574,7 @@ PHRASES = {
         "{unit}; 1 3 joins two planes and is not *ω₃*."
     ),
     "hooke driven": "{symbol} = {value} {unit}; over a turn it is {low} … {high} times *ω₂*.",
-    "hooke fold": (
-        "The plane of the cross is turned about *OT* into the plane of the shafts: there *OP* and "
-        "*OQ* have their true directions."
-    ),
+    "hooke fold": "*OP* and *OQ* stay turned into the plane of the shafts.",
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, which turns at *τ̇* = "
         "*ω₂*·tan *β*·sin 2*θ₂*·cos² *τ*, by differentiating tan *τ*."

@@ -390,6 +390,9 @@ PHRASES = {
     "bodies pole steady": ("Le pôle : le bâti, 1′, et 2′, car *α₂* = {value} est donné."),
     "bodies measured": "{symbol} = {value} {unit}.",
     "bodies whole": "{symbol} = {value} {unit}, de {tail} à {head}.",
+    "bodies whole steady": (
+        "{symbol} = {value} {unit}, de {tail} à {head} : comme *α₂* = 0, c’est *α₄*."
+    ),
     "bodies turned frame": (
         "Norme : {symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI* ; *τ̇* est "
         "la composante de *ω₃* dans le plan *BOC*, ⟂ *OI*, divisée par sin *δ*."
@@ -537,7 +540,7 @@ PHRASES = {
     ),
     "hooke P": (
         "*P*, le tourillon de la fourche 2, décrit ce cercle et se trouve à {angle}° ; *OP* est "
-        "un bras du croisillon."
+        "un bras du croisillon, 3."
     ),
     "hooke ellipse": (
         "*Q*, le tourillon de la fourche 4, tourne autour de l’arbre 4 : son cercle est vu comme "
@@ -555,8 +558,9 @@ PHRASES = {
     "hooke speed range": "*ω₄*/*ω₂* = {low} … {high}",
     "hooke tangent": "tan {theta}",
     "hooke plan view": (
-        "En bas, *Q* est à sin *ψ_P* = sin *β*·sin *θ₄* du plan ⟂ l’arbre 2, *P* à sin *ψ_Q* = sin "
-        "*β*·cos *θ₂* de celui ⟂ 4 : le croisillon, 3, a *ψ_P* = {at_p}°, *ψ_Q* = {at_q}°."
+        "En bas, avec *OP* = *OQ* = 1, *Q* est à sin *ψ_P* = sin *β*·sin *θ₄* du plan ⟂ l’arbre "
+        "2, *P* à sin *ψ_Q* = sin *β*·cos *θ₂* de celui ⟂ 4 : le croisillon a *ψ_P* = {at_p}°, "
+        "*ψ_Q* = {at_q}°."
     ),
     "hooke T": "La droite qui joint {one} et {other} perce le plan des arbres en *T*.",
     "hooke other end": "l’autre bout de *O*{pin}",
@@ -566,7 +570,8 @@ PHRASES = {
     ),
     "hooke tau": "*τ*",
     "hooke laid": (
-        "Rabattus autour de *OT* sur le plan des arbres, *OP* et *OQ* ont leur vraie direction."
+        "Rabattus autour de *OT* sur le plan des arbres, *OP* est à {at_p}° de *OT*, de cosinus "
+        "cos *τ*·cos *θ₂*, et *OQ*, ⟂ *OP*, à {at_q}°."
     ),
     # polygones
     "hooke speeds": "*ω₂*, *ω₄* portées à chaque *θ₂*",
@@ -584,10 +589,7 @@ PHRASES = {
         "{whole} {unit} ; 1 3 joint deux plans et n’est pas *ω₃*."
     ),
     "hooke driven": "{symbol} = {value} {unit} ; sur un tour, elle vaut {low} … {high} fois *ω₂*.",
-    "hooke fold": (
-        "Le plan du croisillon est rabattu autour de *OT* sur celui des arbres : *OP* et *OQ* y "
-        "ont leur vraie direction."
-    ),
+    "hooke fold": "*OP* et *OQ* restent ainsi rabattus.",
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇* = *ω₂*·tan "
         "*β*·sin 2*θ₂*·cos² *τ*, en dérivant tan *τ*."

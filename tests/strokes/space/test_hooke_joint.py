@@ -82,6 +82,21 @@ def test_the_views_are_those_of_the_pins(angle: float, shafts: float):
         arm = vector(panel, f"{letter}.plan") / 2
         assert arm.real == pytest.approx(seen.real)
         assert math.hypot(seen.real, seen.imag, arm.imag) == pytest.approx(1.0)
+    # How far each pin stands off the plane of the other yoke is the sine of the cross's swing.
+    drawn = {each.name: each.shape for each in (*panel.strokes, *panel.zeros)}
+    for pin, swing, way in (
+        ("Q", "P", 1.0 + 0j),
+        ("P", "Q", cmath.rect(1.0, math.radians(shafts))),
+    ):
+        edge, off = drawn[f"{pin}.edge"], drawn[f"{pin}.off"]
+        assert isinstance(edge, Curve) and isinstance(off, Curve)
+        start, foot = off.points
+        assert edge.points == (PLAN, foot)
+        assert start == pytest.approx(PLAN + vector(panel, f"{pin}.plan") / 2)
+        assert ((foot - PLAN) * way.conjugate()).imag == pytest.approx(0.0, abs=1e-12)
+        assert ((start - foot) * way.conjugate()).real == pytest.approx(0.0, abs=1e-12)
+        sine = math.sin(math.radians(here.joint(swing).angle))
+        assert abs(start - foot) == pytest.approx(abs(sine), abs=1e-12)
 
 
 @poses
@@ -190,6 +205,10 @@ def test_the_formulas_of_captions_hold(angle: float, shafts: float):
     assert swings[1] == pytest.approx(math.sin(beta) * math.cos(theta))
     whole = np.linalg.norm(drawn.link("cross").omega)
     assert whole == pytest.approx(math.hypot(10.0, p.omega))
+    said = stroke(position, "OP.laid").said
+    at_p, at_q = (math.radians(next(said.figures((name,))).value) for name in ("at_p", "at_q"))
+    assert math.cos(at_p) == pytest.approx(math.cos(tau) * math.cos(theta))
+    assert abs(math.cos(at_q)) == pytest.approx(math.sin(at_p))
 
 
 def test_what_does_not_turn_is_its_pole():
@@ -254,6 +273,26 @@ def test_a_sheet_reads_back_from_its_json(shafts: float):
 def test_no_label_lies_on_a_stroke(angle: int):
     assert overlaps(sheet(angle), lesson=True) == []
     assert overlaps(sheet(angle + 30, -20.0, "de")) == []
+
+
+@pytest.mark.parametrize("shafts", [30.0, -50.0])
+def test_the_rotation_of_shaft_4_relative_to_2_stands_in_the_table(shafts: float):
+    """The acceleration is calculated with it; its caption and the table have the same sign."""
+    drawn = sheet(60.0, shafts)
+    cells = [cell for row in drawn.rows for cell in row.cells["velocity"]]
+    omega = next(cell.value for cell in cells if cell.symbol == "ω₄₂")
+    two, four = (vector(drawn.panel("velocity"), f"{name}.absolute") for name in ("12", "14"))
+    assert abs(omega) == pytest.approx(abs(four - two))
+    caption = next(each.caption for each in drawn.panel("velocity").strokes if each.label == "ω₄₂")
+    assert ("−" in caption) == (omega < 0.0) == (shafts < 0.0)
+
+
+@pytest.mark.parametrize("alpha", [0.0, 40.0])
+def test_the_caption_of_the_sum_says_when_it_is_that_of_the_driven_shaft(alpha: float):
+    panel = vad.draw(motion(60.0, alpha=alpha)).panel("acceleration")
+    whole, driven = (vector(panel, name) for name in ("24.whole", "14.absolute"))
+    alike = abs(whole - driven) <= 1e-9 * abs(driven)
+    assert alike == ("it is α₄" in stroke(panel, "24.whole").caption) == (not alpha)
 
 
 @pytest.mark.parametrize("angle", [20.0, 60.0, 130.0, 200.0, 310.0])

@@ -11,7 +11,7 @@ from functools import partial
 from typing import Any
 
 from vad.kinematics.elementary import unit_at
-from vad.kinematics.numbers import bearing, plane, ray, select_vector, vector, wrap
+from vad.kinematics.numbers import bearing, not_below, plane, ray, select_vector, vector, wrap
 from vad.kinematics.space.numbers import added, over, scaled
 from vad.strokes.arithmetic import Figure, hypotenuse
 from vad.strokes.diagram import POSITION, VELOCITY, Drawing, Order, Spot
@@ -21,6 +21,7 @@ from vad.strokes.space.bars import magnitude
 from vad.strokes.space.body_polygons import FLAT, RELATIVE, TURNED, BodyScript, Names
 from vad.strokes.space.speeds import speeds
 from vad.strokes.space.view import View, through
+from vad.strokes.vector_equations import NOTHING
 from vad.written import PRIME
 
 FRONT = View((0.0, -1.0, 0.0), (1.0, 0.0, 0.0))
@@ -64,6 +65,9 @@ class Script(BodyScript):
         return Names(ROWS, axes, measured, "hooke", results=results, paced=True)
 
     def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
+        if key == "driven" and order is VELOCITY:
+            relative = Cell(RELATIVE[1], self.bodies.relative(order)[0], order.unit)
+            return *super().cells(order, key), relative
         if key != "cross":
             return super().cells(order, key)
         p, q, values = self.motion.joint("P"), self.motion.joint("Q"), {}
@@ -104,7 +108,7 @@ class Script(BodyScript):
         return replace(drawing, inset=speeds(self, "driven", at, ratios, "14.absolute"))
 
     def views(self) -> Drawing:
-        fixed, guide, known, construction, crossing, _, angle, bar = self.pens
+        fixed, guide, known, construction, crossing, result, angle, bar = self.pens
         shafts, theta, at = self.given("shaft_angle"), self.angle("driven"), self.spots()
         o, p, q, t = PLAN.at, at["P"], at["Q"], at["T"]
         low = {letter: at[f"{letter}.plan"] for letter in "PQT"}
@@ -142,6 +146,13 @@ class Script(BodyScript):
         for pin, number, rows in (("P", "", ()), ("Q", "3", ("cross",))):
             arm = Arrow(2 * o - low[pin], low[pin], "", pin)
             bar(f"{pin}.plan", arm, "cross", number, reveals=rows)
+        # The planes ⟂ 2 and ⟂ 4 are seen as lines, along OP and OQ: the other pin stands off them.
+        tilted = unit_at(shafts.value).real * ray(shafts.value)
+        for pin, edge in (("Q", vector(q.real, 0.0)), ("P", p.real * tilted)):
+            guide(f"{pin}.edge", Curve((o, o + edge)))
+            result(f"{pin}.off", Curve((low[pin], o + edge)), "cross")
+            if abs(low[pin] - o - edge) <= NOTHING:
+                self.leave_out()
         own = {"2": ("P", circle, self.driven.value), "4": ("Q", ellipse, 90.0 + theta.value)}
         for shaft, (pin, rim, degrees) in own.items():
             (link, way), end = ways[shaft], low[pin] - o
@@ -166,7 +177,9 @@ class Script(BodyScript):
         self.arc("OT.angle", o, TAU, tau, "cross", self.scene.write("hooke tau"))
         if abs(tau.value) <= FLAT:
             self.leave_out()
-        self.tell("laid")
+        arcs = (self.bodies.arc(axis) for axis in (self.bodies.axis.b, self.bodies.axis.c))
+        at_p, at_q = (self.angle(not_below(arc, -arc)) for arc in arcs)
+        self.tell("laid", at_p=at_p, at_q=at_q)
         self.lay_over({"P": "cross", "Q": "cross"}, LAID, ARCS)
         left = Term(self.scene.write("hooke tangent", theta="θ₄"), "driven", "Q.angle")
         right = Term(self.scene.write("hooke ratio", theta="θ₂", shafts="β"), "driving", "P.angle")

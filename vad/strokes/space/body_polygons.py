@@ -146,7 +146,11 @@ class BodyPolygon:
         says: dict[str, Callable[..., Sentence]] = {
             "line": self._line("24"),
             "result": self._says("bodies measured", "24", along, symbol),
-            "whole": partial(self.scene.say, "bodies whole", symbol=self._symbol("24")),
+            "whole": partial(
+                self.scene.say,
+                "bodies whole" if self.crank else "bodies whole steady",
+                symbol=self._symbol("24"),
+            ),
         }
         component: Component = "relative"
         if self.order is ACCELERATION:
