@@ -847,12 +847,13 @@ PHRASES = {
     ),
     "balls top": "Senkrecht darunter ergänzt *C* die untere Ansicht.",
     "balls third": (
-        "Um die Bahn von *C* umgeklappt zeigt die Ebene von *BC* und dieser Bahn beide in wahrer "
-        "Länge, die Ebene ⟂ *BC* als Gerade."
+        "Um die Tangente an die Bahn von *C* umgeklappt, erscheint die Ebene durch sie und *BC* "
+        "in wahrer Größe, die Ebene ⟂ *BC* als Gerade."
     ),
     "balls askew": (
-        "Projektionen: *p_AB* = {seen_AB}, *p_DC* = {seen_DC}, *p_BT* = {seen_BT} (*BT*: *AB* "
-        "gedreht); nach hinten *h_AB* = {off_AB}, *h_DC* = {off_DC}, *h_BT* = {off_BT} {unit}."
+        "Projektionen: *p_AB* = {seen_AB}, *p_DC* = {seen_DC}, *p_BT* = {seen_BT} (*BT*: *AB*, "
+        "um 90° gedreht); nach hinten positiv *h_AB* = {off_AB}, *h_DC* = {off_DC}, *h_BT* = "
+        "{off_BT} {unit}."
     ),
     "balls along D": "längs *D* gesehen",
     "balls along A": "längs *A* gesehen",

@@ -814,12 +814,13 @@ PHRASES = {
     "balls C": "*C* is where both circles cross; the rocker *DC* stands at {theta} = {angle}°.",
     "balls top": "Straight below, *C* completes the lower view.",
     "balls third": (
-        "Turned about the path of *C*, the plane of *BC* and this path shows both in true length, "
-        "and the plane ⟂ *BC* as a line."
+        "Turned about the tangent to the path of *C*, the plane of this tangent and *BC* is seen "
+        "in true size, and the plane ⟂ *BC* as a line."
     ),
     "balls askew": (
         "Projections: *p_AB* = {seen_AB}, *p_DC* = {seen_DC}, *p_BT* = {seen_BT} (*BT* is *AB* "
-        "turned); into the paper *h_AB* = {off_AB}, *h_DC* = {off_DC}, *h_BT* = {off_BT} {unit}."
+        "turned by 90°); positive into the paper, *h_AB* = {off_AB}, *h_DC* = {off_DC}, *h_BT* = "
+        "{off_BT} {unit}."
     ),
     "balls along D": "seen along *D*",
     "balls along A": "seen along *A*",
@@ -851,7 +852,7 @@ PHRASES = {
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} in this view.",
+    "balls whole": "{label} = {value} {unit} here.",
     # plots and tables of sweeps, and figures of merit
     "angle of the driver": "angle of the {link}",
     "position of the driver": "position of the {link}",

@@ -827,33 +827,32 @@ PHRASES = {
     "balls ahead": "devant",
     "balls behind": "derrière",
     "balls crank": (
-        "En bas, vue suivant l’axe de *A* : la manivelle *AB* = {size} {unit} est à {angle}° de la "
-        "perpendiculaire commune des axes."
+        "En bas, vue suivant l’axe de *A* : la manivelle *AB* = {size} {unit}, à {angle}° de la "
+        "normale commune des axes."
     ),
     "balls path of C": (
         "En haut, vu suivant l’axe de *D* : *C* décrit ce cercle, *DC* = {size} {unit} ; *A* et "
         "*B* sont juste au-dessus."
     ),
     "balls compass": (
-        "*B* est à {height} {unit} {side} le plan de ce cercle : ici la longueur de *BC* est "
-        "√({size}² − {height}²) = {reach} {unit}."
+        "*B* est à {height} {unit} {side} le plan de ce cercle : ici *BC* = √({size}² − "
+        "{height}²) = {reach} {unit}."
     ),
     "balls compass square": (
-        "*B* est à {offset} + {crank}·sin {angle}° = {height} {unit} derrière le plan de ce cercle "
-        ": ici la longueur de *BC* est √({size}² − {height}²) = {reach} {unit}."
+        "*B* est à {offset} + {crank}·sin {angle}° = {height} {unit} derrière le plan du cercle "
+        ": ici *BC* = √({size}² − {height}²) = {reach} {unit}."
     ),
     "balls offset": "{size}",
-    "balls C": (
-        "*C* est à l’intersection des deux cercles ; le balancier *DC* est à {theta} = {angle}°."
-    ),
+    "balls C": "Les deux cercles se coupent en *C* ; le balancier *DC* est à {theta} = {angle}°.",
     "balls top": "Juste au-dessous, *C* complète la vue du bas.",
     "balls third": (
-        "Rabattu autour de la trajectoire de *C*, le plan de *BC* et de celle-ci montre les deux "
-        "en vraie grandeur, et le plan ⟂ *BC* comme une droite."
+        "Rabattu autour de la tangente à la trajectoire de *C*, le plan de celle-ci et de *BC* "
+        "est en vraie grandeur, le plan ⟂ *BC* est une droite."
     ),
     "balls askew": (
         "Projections : *p_AB* = {seen_AB}, *p_DC* = {seen_DC}, *p_BT* = {seen_BT} (*BT* : *AB* "
-        "tournée) ; vers l’arrière *h_AB* = {off_AB}, *h_DC* = {off_DC}, *h_BT* = {off_BT} {unit}."
+        "tournée de 90°) ; positif vers l’arrière *h_AB* = {off_AB}, *h_DC* = {off_DC}, *h_BT* = "
+        "{off_BT} {unit}."
     ),
     "balls along D": "vu suivant *D*",
     "balls along A": "vu suivant *A*",
@@ -873,19 +872,19 @@ PHRASES = {
     "balls line DC acceleration": "∥ la trajectoire de *C* par {point}, suivant {symbol}·*DC*",
     "balls coupler velocity": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s}.",
     "balls coupler velocity askew": (
-        "{label} = {value} {unit} sur la vue, vers l’arrière {sum} = {off} {unit} : en tout "
-        "{symbol} = {whole}/{size} = {rate} {rad/s}."
+        "{label} = {value} {unit} ici, vers l’arrière {sum} = {off} {unit} : en tout {symbol} = "
+        "{whole}/{size} = {rate} {rad/s}."
     ),
     "balls coupler acceleration": "{symbol} = {label}/*BC* = {value}/{size} = {rate} {rad/s²}.",
     "balls coupler acceleration askew": (
-        "{label} = {value} {unit} sur la vue, vers l’arrière {sum} = {off} {unit} : en tout "
-        "{symbol} = {whole}/{size} = {rate} {rad/s²}."
+        "{label} = {value} {unit} ici, vers l’arrière {sum} = {off} {unit} : en tout {symbol} = "
+        "{whole}/{size} = {rate} {rad/s²}."
     ),
     "balls rocker velocity": "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s}, {sense}.",
     "balls rocker acceleration": (
         "{symbol} = {label}/*DC* = {value}/{size} = {rate} {rad/s²}, {sense}."
     ),
-    "balls whole": "{label} = {value} {unit} sur la vue.",
+    "balls whole": "{label} = {value} {unit} ici.",
     # images et tableaux de balayages, et caractéristiques
     "angle of the driver": "angle {link:du}",
     "position of the driver": "position {link:du}",

@@ -166,6 +166,30 @@ def test_lines_perpendicular_to_the_path_lead_from_the_front_to_the_third_view(m
 
 
 @poses
+def test_the_angle_of_the_rocker_is_seen_from_a_zero_line(motion: Any) -> None:
+    """It stands near the end of the rocker, where also a small angle is wider than the bar."""
+    shapes = {each.name: each.shape for each in vad.draw(motion).panel("position").strokes}
+    arc, (start, end), d = shapes["DC.angle"], shapes["DC.zero"].points, shapes["DC.front"].start
+    assert (arc.centre, arc.start, start) == (d, 0.0, d)
+    assert (end - d).imag == 0.0
+    assert 0.5 * motion.mechanism.rocker < arc.radius < (end - d).real < motion.mechanism.rocker
+    assert math.radians(arc.sweep) == pytest.approx(cmath.phase(shapes["DC.front"].end - d))
+
+
+@poses
+def test_both_offsets_are_drawn_with_their_lengths(motion: Any) -> None:
+    """Each along its own axis, in the view along the other one, from there to the other point."""
+    drawn, sizes = vad.draw(motion).panel("position"), motion.mechanism.parameters()
+    strokes = {each.name: each for each in drawn.strokes}
+    slant = math.sin(math.radians(sizes["ground_twist"]))
+    for name, link in (("A.offset", "crank_offset"), ("D.offset", "rocker_offset")):
+        begin, foot, end = strokes[name].shape.points
+        assert abs(foot - begin) == pytest.approx(abs(sizes[link]) * slant)
+        assert ((foot - end) / abs(sizes[link])).imag == pytest.approx(0.0, abs=1e-9)
+        assert strokes[name].label == f"{sizes[link]:g}".replace("-", "−")
+
+
+@poses
 def test_projections_have_letters_of_their_own_and_are_all_explained(motion: Any) -> None:
     """With the parts that lead into the paper they make the true lengths, and h·ω² has its sign."""
     sheet, number = vad.draw(motion), r"(−?\d+(?:\s\d{3})*(?:\.\d+)?)"

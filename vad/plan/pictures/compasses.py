@@ -68,7 +68,7 @@ def compass(arc: Bow, row: int | None, obstacles: Obstacles) -> list[Mark]:
 
     def crowd(spot: complex) -> int:
         legs = (arc.centre, spot), (spot, tip)
-        return int((~obstacles.clear_of_labels(legs, HINGE)).sum())
+        return int((~obstacles.clear_of_labels(legs, 2.0 * HINGE)).sum())
 
     hinge = min(inside, key=crowd, default=middle)
     turning = Turning(arc.centre, ((0.0, -arc.sweep), (1.0, 0.0)))

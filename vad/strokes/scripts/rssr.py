@@ -25,8 +25,8 @@ from vad.strokes.vector_equations import NOTHING
 
 #: The view along A's axis, from its end.
 TOP = View((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
-#: Half of a compass arc in degrees; radii of the angles' arcs, of crank and rocker.
-COMPASS, ANGLE, SMALL = 9.0, 0.45, 0.25
+#: Half of a compass arc in degrees; radii of the angles' arcs, as shares of crank and rocker.
+COMPASS, ANGLE, WIDE = 9.0, 0.45, 0.7
 #: How far the path of C goes on in the third view, and past where it has been, in degrees.
 ONWARD, FARTHER = 0.22, 12.0
 #: Poses of a turn by which the views are laid out.
@@ -106,6 +106,12 @@ class Script(BarScript):
         guide("D.offset", Curve((at["D.top"], foot, at["A.top"])), None, size_of)
         if abs(offset.value) <= NOTHING * rocker:
             self.leave_out()
+        own = self.length("crank_offset")
+        foot = at["A"] - own.value * self.front.way(self.axis("A"))
+        size_of = self.scene.write("balls offset", size=own)
+        guide("A.offset", Curve((at["A"], foot, at["D"])), None, size_of)
+        if abs(own.value) <= NOTHING * rocker:
+            self.leave_out()
         construction("B.projector", Curve((at["B.top"], at["B"])))
         known("AB.front", rod("A", "B"), "crank", body=True)
         height, way = dot(difference(self.at["B"], self.at["D"]), self.axis("D")), at["C"] - at["B"]
@@ -122,7 +128,8 @@ class Script(BarScript):
         bar("BC.front", rod("B", "C"), "coupler")
         bar("DC.front", rod("D", "C"), "rocker", reveals=("rocker",))
         turned = self.angle(fold(theta.value))
-        self.arc("DC.angle", at["D"], SMALL * rocker, turned, "rocker", "θ₄")
+        guide("DC.zero", Curve((at["D"], at["D"] + 0.9 * rocker)))
+        self.arc("DC.angle", at["D"], WIDE * rocker, turned, "rocker", "θ₄")
         self.tell("top")
         construction("C.projector", Curve((at["C"], at["C.top"])))
         bar("DC.top", rod("D.top", "C.top"), "rocker")
