@@ -191,10 +191,13 @@ def test_a_position_in_space_takes_few_steps_and_its_lecture_is_short(name: str,
     assert lesson.duration <= 150.0
 
 
+@pytest.mark.parametrize("language", ["de", "fr"])
 @pytest.mark.parametrize("name", ["spherical-four-bar", "spatial-four-bar", "rssr"])
-def test_with_a_given_acceleration_a_lecture_in_space_is_short_in_the_longest_language(name: str):
+def test_with_a_given_acceleration_a_lecture_in_space_is_short_in_the_longest_languages(
+    name: str, language: str
+):
     motion = vad.solve(vad.MECHANISMS[name](), angle=300, alpha=20)
-    assert vad.animate(vad.draw(motion, language="de")).duration <= 150.0
+    assert vad.animate(vad.draw(motion, language=language)).duration <= 150.0
 
 
 def test_strokes_of_one_caption_are_drawn_while_it_is_read():

@@ -393,8 +393,8 @@ PHRASES = {
         "*τ̇₃* ebenso mit dem Teil in der Ebene *AOD*."
     ),
     "bodies turned paced": (
-        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, mit *τ̇* = "
-        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ*."
+        "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, mit *τ̇* = (*ω₄₂*·sin "
+        "*IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} rad/s."
     ),
     "bodies line 24 velocity": "∥ *OI* durch {point}, Achse der Schwinge relativ zur Kurbel",
     "bodies line 14 velocity": "∥ *OD* durch {point}, ihre Achse im Gestell",
@@ -782,8 +782,8 @@ PHRASES = {
         "auf ihr."
     ),
     "spatial directions": (
-        "*OA* bis *OD* sind ∥ den Achsen, wie im sphärischen Viergelenk: *OI* ist der Schnitt der "
-        "Ebenen *AOD*, *BOC* unter *δ* = {delta}°, *τ* = {tau}° von *OA*; *IB* = {ib}°."
+        "*OA* bis *OD* sind ∥ den Achsen: die Ebenen *AOD*, *BOC* schneiden sich in *OI* unter "
+        "*δ* = {delta}°, *τ* = {tau}° von *OA*; *IB* = {ib}°, *IC* = {ic}°."
     ),
     "spatial slides": (
         "Drei Längen schließen die Kette: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
@@ -801,12 +801,12 @@ PHRASES = {
         "Unten, längs *DA* gesehen: *A* als Punkt der Schwinge, Geschwindigkeit *aa₄*."
     ),
     "spatial pole acceleration": (
-        "Wieder *A* an der Schwinge: *ay*, *ya₄* drehen sich mit *OI* und ändern ihre Länge."
+        "Wieder *A* an der Schwinge: *ay* und *ya₄* drehen sich mit *OI* und ändern sich."
     ),
     "spatial about I velocity": (
-        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich um *I*."
+        "{label} = |*ω₄₂*·*AH*| = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich um *I*."
     ),
-    "spatial turned": "{label} = *aa₄*·*τ̇* = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
+    "spatial turned": "{label} = *aa₄*·|*τ̇*| = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* = {sum} = {value} {unit}, ⟂ *OI*; *AH* wächst mit *ḣ* = "
         "{rising} {pace}."

@@ -393,8 +393,8 @@ PHRASES = {
         "*τ̇₃* likewise, with the part in the plane *AOD*."
     ),
     "bodies turned paced": (
-        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, which turns at *τ̇* = "
-        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ*."
+        "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, which turns at *τ̇* = "
+        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} rad/s."
     ),
     "bodies line 24 velocity": (
         "∥ *OI* through {point}, as the rocker turns about *OI* relative to the crank"
@@ -753,8 +753,8 @@ PHRASES = {
         "The axis at *B* is ⟂ *AB*, {twist}° from that at *A*; on it the coupler turns and slides."
     ),
     "spatial directions": (
-        "*OA* to *OD* are ∥ the axes, as in the spherical four-bar: the planes *AOD*, *BOC* meet "
-        "in *OI* at *δ* = {delta}°, *τ* = {tau}° from *OA*; *IB* = {ib}°."
+        "*OA* to *OD* are ∥ the axes: the planes *AOD*, *BOC* meet in *OI* at *δ* = {delta}°, "
+        "*τ* = {tau}° from *OA*; *IB* = {ib}°, *IC* = {ic}°."
     ),
     "spatial slides": "Three slides close the loop: *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}.",
     "spatial bars": (
@@ -773,9 +773,9 @@ PHRASES = {
         "Again *A* on the rocker: *ay* and *ya₄* turn with *OI* and change length."
     ),
     "spatial about I velocity": (
-        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I*."
+        "{label} = |*ω₄₂*·*AH*| = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I*."
     ),
-    "spatial turned": "{label} = *aa₄*·*τ̇* = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
+    "spatial turned": "{label} = *aa₄*·|*τ̇*| = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* = {sum} = {value} {unit}, ⟂ *OI*; *AH* grows at *ḣ* = "
         "{rising} {pace}."

@@ -402,8 +402,8 @@ PHRASES = {
         "*τ̇₃* de même, avec la composante dans le plan *AOD*."
     ),
     "bodies turned paced": (
-        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OI*, qui tourne à *τ̇* = "
-        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ*."
+        "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, avec *τ̇* = (*ω₄₂*·sin "
+        "*IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} rad/s."
     ),
     "bodies line 24 velocity": "∥ *OI* par {point}, axe du balancier par rapport à la manivelle",
     "bodies line 14 velocity": "∥ *OD* par {point}, son axe par rapport au bâti",
@@ -782,8 +782,8 @@ PHRASES = {
         "L’axe en *B* est ⟂ *AB*, à {twist}° de celui en *A* ; la bielle y tourne et y glisse."
     ),
     "spatial directions": (
-        "*OA* à *OD* sont ∥ les axes, comme au quadrilatère sphérique : les plans *AOD*, *BOC* se "
-        "coupent en *OI* sous *δ* = {delta}°, à *τ* = {tau}° de *OA*, *IB* = {ib}° de *OB*."
+        "*OA* à *OD* sont ∥ les axes : les plans *AOD*, *BOC* se coupent en *OI* sous *δ* = "
+        "{delta}°, à *τ* = {tau}° de *OA* ; *IB* = {ib}°, *IC* = {ic}°."
     ),
     "spatial slides": (
         "Trois longueurs ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
@@ -801,13 +801,13 @@ PHRASES = {
         "En bas, vu suivant *DA* : *A* comme point du balancier, de vitesse *aa₄*."
     ),
     "spatial pole acceleration": (
-        "Encore *A* sur le balancier : *ay* et *ya₄* tournent avec *OI* et changent de longueur."
+        "Encore *A* sur le balancier : *ay* et *ya₄* tournent avec *OI* et varient."
     ),
     "spatial about I velocity": (
-        "{label} = *ω₄₂*·*AH* = {turn} × {lever} = {value} {unit}, ⟂ *OI* : *A* tourne autour de "
-        "*I*."
+        "{label} = |*ω₄₂*·*AH*| = {turn} × {lever} = {value} {unit}, ⟂ *OI* : *A* tourne autour "
+        "de *I*."
     ),
-    "spatial turned": "{label} = *aa₄*·*τ̇* = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
+    "spatial turned": "{label} = *aa₄*·|*τ̇*| = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
         "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* = {sum} = {value} {unit}, ⟂ *OI* ; *AH* croît de *ḣ* = "
         "{rising} {pace}."

@@ -238,19 +238,22 @@ def test_i_is_where_the_planes_of_frame_and_coupler_meet(angle: float):
 def test_the_rate_at_which_oi_turns_follows_from_what_the_star_shows(angle: float):
     views, polygon = (sheet(angle).panel(name) for name in ("position", "acceleration"))
     told: Any = stroke(views, "star.O").said
-    delta, tau, ib = (
-        math.radians(next(told.figures((each,))).value) for each in ("delta", "tau", "ib")
+    delta, tau, ib, ic = (
+        math.radians(next(told.figures((each,))).value) for each in ("delta", "tau", "ib", "ic")
     )
     said: Any = stroke(polygon, "24.normal").said
-    pace, omega = (next(said.figures((each,))).value for each in ("pace", "omega"))
+    pace, omega, signed = (
+        next(said.figures((each,))).value for each in ("pace", "omega", "signed")
+    )
     cell = next(
         cell for row in sheet(angle).rows for cell in row.cells["velocity"] if cell.symbol == "ω₄₂"
     )
     assert omega == pytest.approx(abs(cell.value))
     twist = math.radians(55.0)
-    along = cell.value * math.sin(ib) * math.sin(ib + twist) / math.sin(twist)
+    along = cell.value * math.sin(ib) * math.sin(ic) / math.sin(twist)
     wanted = (along - 10.0 * math.sin(tau) * math.cos(delta)) / math.sin(delta)
     assert pace == pytest.approx(abs(wanted))
+    assert signed == pytest.approx(wanted)
     # B and C are seen on circles about OA and OD.
     centre, (_, a), (_, d) = (
         dot(views, "star.O"),

@@ -104,7 +104,7 @@ class Script(SlidingScript):
         sphere = replace(self.frame(), at=star, turn=ray * self.frame().turn)
         a, b, c, d = Z, bodies.axis.b, bodies.axis.c, bodies.axis.d
         tau, from_b = bodies.screw.tau, bodies.arc(b)
-        angles = {"tau": tau, "delta": bodies.screw.delta, "ib": from_b}
+        angles = {"tau": tau, "delta": bodies.screw.delta, "ib": from_b, "ic": bodies.arc(c)}
         self.tell("directions", **{name: self.angle(each) for name, each in angles.items()})
         crossing("star.O", Dot(star), label="O")
         for letter, way, row in (("A", a, "crank"), ("D", d, "rocker")):

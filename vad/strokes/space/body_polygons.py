@@ -283,6 +283,7 @@ class BodyPolygon:
         if self.names.paced:
             plane, steps = "paced", product("value", "omega", "pace")
             parts["pace"] = Figure(abs(real(pace)), VELOCITY.unit)
+            parts["signed"] = Figure(real(pace), VELOCITY.unit)
         else:
             steps = product_of_sines("value", "omega", "part", "delta")
             parts["part"] = Figure(abs(real(pace) * real(screw.sine)), VELOCITY.unit)
