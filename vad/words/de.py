@@ -588,7 +588,7 @@ PHRASES = {
         "{symbol} = {value} {unit}; *OP* ist ⟂ Welle 2, also *ω₃* = √({crank}² + {size}²) = "
         "{whole} {unit}; 1 3 verbindet zwei Ebenen und ist nicht *ω₃*."
     ),
-    "hooke driven": "{symbol} = {value} {unit}; im Umlauf ist es {low} … {high} mal *ω₂*.",
+    "hooke driven": "{symbol} = {value} {unit}; im Umlauf ist es {low} bis {high} mal *ω₂*.",
     "hooke fold": "*OP* und *OQ* bleiben so umgeklappt.",
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* = *ω₂*·tan "

@@ -573,7 +573,7 @@ PHRASES = {
         "{symbol} = {value} {unit}; *OP* is ⟂ shaft 2, so *ω₃* = √({crank}² + {size}²) = {whole} "
         "{unit}; 1 3 joins two planes and is not *ω₃*."
     ),
-    "hooke driven": "{symbol} = {value} {unit}; over a turn it is {low} … {high} times *ω₂*.",
+    "hooke driven": "{symbol} = {value} {unit}; over a turn it is {low} to {high} times *ω₂*.",
     "hooke fold": "*OP* and *OQ* stay turned into the plane of the shafts.",
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, which turns at *τ̇* = "

@@ -588,7 +588,7 @@ PHRASES = {
         "{symbol} = {value} {unit} ; *OP* est ⟂ l’arbre 2, donc *ω₃* = √({crank}² + {size}²) = "
         "{whole} {unit} ; 1 3 joint deux plans et n’est pas *ω₃*."
     ),
-    "hooke driven": "{symbol} = {value} {unit} ; sur un tour, elle vaut {low} … {high} fois *ω₂*.",
+    "hooke driven": "{symbol} = {value} {unit} ; sur un tour, elle vaut de {low} à {high} fois *ω₂*.",
     "hooke fold": "*OP* et *OQ* restent ainsi rabattus.",
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇* = *ω₂*·tan "
