@@ -394,7 +394,7 @@ PHRASES = {
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, mit *τ̇* = (*ω₄₂*·sin "
-        "*IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} rad/s."
+        "*IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} {rad/s}."
     ),
     "bodies line 24 velocity": "∥ *OI* durch {point}, Achse der Schwinge relativ zur Kurbel",
     "bodies line 14 velocity": "∥ *OD* durch {point}, ihre Achse im Gestell",
@@ -1180,6 +1180,7 @@ SPOKEN = {
     "+": " plus ",
     "−": "minus ",
     "=": "gleich",
+    "|": " ",
     "/": " durch ",
     "/s": " pro Sekunde",
     "°": " Grad",

@@ -394,7 +394,7 @@ PHRASES = {
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, which turns at *τ̇* = "
-        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} rad/s."
+        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} {rad/s}."
     ),
     "bodies line 24 velocity": (
         "∥ *OI* through {point}, as the rocker turns about *OI* relative to the crank"
@@ -1037,6 +1037,7 @@ SPOKEN = {
     "+": " plus ",
     "−": "minus ",
     "=": "equals",
+    "|": " ",
     "/": " over ",
     "/s": " per second",
     "°": " degrees",

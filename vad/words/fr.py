@@ -403,7 +403,7 @@ PHRASES = {
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, avec *τ̇* = (*ω₄₂*·sin "
-        "*IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} rad/s."
+        "*IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} {rad/s}."
     ),
     "bodies line 24 velocity": "∥ *OI* par {point}, axe du balancier par rapport à la manivelle",
     "bodies line 14 velocity": "∥ *OD* par {point}, son axe par rapport au bâti",
@@ -588,7 +588,7 @@ PHRASES = {
         "{symbol} = {value} {unit} ; *OP* est ⟂ l’arbre 2, donc *ω₃* = √({crank}² + {size}²) = "
         "{whole} {unit} ; 1 3 joint deux plans et n’est pas *ω₃*."
     ),
-    "hooke driven": "{symbol} = {value} {unit} ; sur un tour, elle vaut de {low} à {high} fois *ω₂*.",
+    "hooke driven": "{symbol} = {value} {unit} ; sur un tour, de {low} à {high} fois *ω₂*.",
     "hooke fold": "*OP* et *OQ* restent ainsi rabattus.",
     "hooke turned paced": (
         "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇* = *ω₂*·tan "
@@ -1165,6 +1165,7 @@ SPOKEN = {
     "+": " plus ",
     "−": "moins ",
     "=": "égale",
+    "|": " ",
     "/": " sur ",
     "/s": " par seconde",
     "°": " degrés",
