@@ -130,16 +130,20 @@ class _Words:
     turns: Mapping[str, float]
 
     def items(self) -> Iterator[Item]:
-        """Yield them from the top down, all of them smaller where they would not fit."""
+        """Yield them from the top down, all of them smaller where they would not fit.
+
+        The sense in which rates are positive is left out there; the whole sheet says it, too.
+        """
         remark, equation, rows = self._remark(), self._equation(), self._rows()
         size = min(EQUATION, self.room.width / max(map(type_width, equation), default=1.0))
         high = [
             *(REMARK_PITCH * REMARK_SIZE for _ in remark),
             *(EQUATION_PITCH * size for _ in equation),
-            *(ROW_PITCH * SIZE for _ in (*rows.lines, *rows.sense())),
+            *(ROW_PITCH * SIZE for _ in rows.lines),
             2 * GAP,
         ]
         share = min(1.0, self.room.height / sum(high))
+        says_sense = sum(high) + ROW_PITCH * SIZE <= self.room.height
         y = self.room.top
         if remark or equation:
             yield self._rule(y)
@@ -153,7 +157,7 @@ class _Words:
         if rows.lines:
             y -= GAP * share * bool(remark or equation)
             yield self._rule(y)
-            yield from rows.items(y, share)
+            yield from rows.items(y, share, says_sense)
 
     def item(self, *marks: Mark, since: int = 0, until: int = FOREVER, name: str = "") -> Item:
         """Return what shows between two beats, while the part is told."""
@@ -283,8 +287,8 @@ class _Rows:
         used = next(drawn, FOREVER)
         return [each if each.name else replace(each, since=used) for each in cells]
 
-    def items(self, top: float, share: float) -> Iterator[Item]:
-        """Yield the rows below a height, by a share smaller in all."""
+    def items(self, top: float, share: float, says_sense: bool) -> Iterator[Item]:
+        """Yield the rows below a height, by a share smaller in all, and the positive sense."""
         words, size, pitch = self._words, SIZE * min(share, self.type), ROW_PITCH * SIZE * share
         shrink, naming = size / SIZE, None if self._named else lettered
         y = top - pitch
@@ -308,9 +312,10 @@ class _Rows:
                 yield from self._shows(cell, place, size)
             y -= pitch * max(1, len(needed), len(own))
         right = words.room.left + words.room.width
-        yield from (words.item(mark) for mark in self.sense(complex(right, y), share))
+        if says_sense:
+            yield from (words.item(mark) for mark in self._sense(complex(right, y), share))
 
-    def sense(self, end: complex = 0j, share: float = 1.0) -> list[Mark]:
+    def _sense(self, end: complex, share: float) -> list[Mark]:
         """Return what says in which sense the rates of the rows are positive, if they have any."""
         cells = (cell.cell for _, both in self._shown for each in both for cell in each)
         turns = any(cell.unit in TURNING for cell in cells)
