@@ -32,6 +32,7 @@ class HandBuilt:
     own_names: dict[str, Any] = field(init=False, default_factory=dict)
     burden: None = field(init=False, default=None)
     is_rotor: bool = field(init=False, default=False)
+    output_point: str = field(init=False, default="")
 
     def __post_init__(self) -> None:
         for step in self.steps:

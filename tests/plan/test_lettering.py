@@ -56,9 +56,9 @@ def test_a_caption_tells_points_from_words_by_what_they_are():
 
 @pytest.mark.parametrize("code", languages())
 def test_fixed_text_says_itself_what_is_a_symbol(code: str):
-    angles = {name: Figure(3.0, "°") for name in ("tau", "delta", "ib")}
+    angles = {name: Figure(3.0, "°") for name in ("tau", "delta", "ib", "ic")}
     cut = said(Voice(code).pieces(Sentence("spatial directions", angles)))
-    assert set(italics(cut).split()) >= {"OA", "OD", "AOD", "BOC", "OI", "δ", "τ", "IB"}
+    assert set(italics(cut).split()) >= {"OA", "OD", "AOD", "BOC", "OI", "δ", "τ", "IB", "IC"}
     rates = {"turn": "2", "sum": "6", "value": "6", "unit": Unit("mm/s²"), "label": "y"}
     rates |= {"rising": Figure(1.0), "pace": Unit("mm/s")}
     about = said(Voice(code).pieces(Sentence("spatial about I acceleration", rates)))
