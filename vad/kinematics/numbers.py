@@ -67,6 +67,8 @@ def select(condition: Number, rare: Number, usual: Number) -> Number:
     """Return ``rare`` where the condition holds, and ``usual`` elsewhere."""
     if isinstance(condition, bool):
         return rare if condition else usual
+    if is_array(condition):
+        return np.where(condition, rare, usual)
     return _done("select", condition, rare, usual)
 
 
@@ -79,8 +81,6 @@ def select_vector(condition: Number, rare: Number, usual: Number) -> Number:
 
 def nonzero(value: Number) -> Number:
     """Return a divisor: NaN where it is zero, so that no quotient is infinite."""
-    if is_array(value):
-        return np.where(value == 0.0, math.nan, value)
     return select(value == 0.0, math.nan, value)
 
 
