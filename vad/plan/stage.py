@@ -101,7 +101,7 @@ class Stage:
         for number, layout in enumerate(self._layouts):
             self._add(number, layout.regions)
         answered = regions_of(self._answered_page)[CAPTION]
-        self._add(self.count, {**self._last().regions, ANSWER: answered})
+        self._add(self.count, {**self.scene(self.count).regions, ANSWER: answered})
         self.regions[MOVING] = Rect(0.0, low, form.width, top)
         self.regions[LAST_MOVE] = Rect(0.0, 0.0, form.width, top)
         self.regions |= {name: first[name] for name in (CAPTION, CHAPTERS)}

@@ -6,7 +6,7 @@ The rows of a sheet become entries in columns, whose heads have the units.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
@@ -432,10 +432,9 @@ class Entries:
         at = end - self.legend_width
         return [Mark(Lettering(runs, at, GIVEN_SIZE), "notes") for runs in self._grey()]
 
-    def sense(self, end: complex, share: float = 1.0) -> list[Mark]:
-        """Return what says in which sense rates are positive, if there are any; it ends there."""
-        panels = [cells for row in self.sheet.rows for cells in row.cells.values()]
-        if not any(cell.unit in TURNING for cells in panels for cell in cells):
+    def sense(self, cells: Iterable[Cell], end: complex, share: float = 1.0) -> list[Mark]:
+        """Return what says in which sense rates are positive, if cells have any; it ends there."""
+        if not any(cell.unit in TURNING for cell in cells):
             return []
         said = Language(self.sheet.language).say("legend sense")
         runs = roman(f"{ANTICLOCKWISE}\N{NO-BREAK SPACE}{said}")

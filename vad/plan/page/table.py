@@ -133,11 +133,12 @@ class Columns:
             marks += self._entries.name(row, complex(page.left, baseline), key, size)
         for baseline in page.rows[:1]:
             marks += self._entries.legend(complex(page.right, baseline))
-        pairs = zip(self._entries.sheet.rows, page.rows, strict=True)
+        pairs = zip(rows, page.rows, strict=True)
         last = next(reversed(page.panels), "")
         free = [at for row, at in [*pairs][1:] if len(row.cells.get(last, ())) < 2]
         for baseline in free[:1]:
-            marks += self._entries.sense(complex(page.right, baseline))
+            cells = (cell for row in rows for own in row.cells.values() for cell in own)
+            marks += self._entries.sense(cells, complex(page.right, baseline))
         return marks
 
     def cells(self, index: int, row: Row, panel: str, new: bool) -> list[Entry]:

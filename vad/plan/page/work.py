@@ -19,7 +19,7 @@ from vad.plan.lettering.wrapping import wrap
 from vad.plan.marks import Fading, Lettering, Mark, line
 from vad.plan.page.changing import measuring
 from vad.plan.page.heads import REMARK_SIZE, Piece, pieces, type_width
-from vad.plan.page.quarter import NAME_GAP, TURNING, Entries, figures, lettered
+from vad.plan.page.quarter import NAME_GAP, Entries, figures, lettered
 from vad.plan.scene_layout import WORK
 from vad.plan.sketch import Sketch
 from vad.strokes.diagram import ACCELERATION, VELOCITY
@@ -313,13 +313,8 @@ class _Rows:
             y -= pitch * max(1, len(needed), len(own))
         right = words.room.left + words.room.width
         if says_sense:
-            yield from (words.item(mark) for mark in self._sense(complex(right, y), share))
-
-    def _sense(self, end: complex, share: float) -> list[Mark]:
-        """Return what says in which sense the rates of the rows are positive, if they have any."""
-        cells = (cell.cell for _, both in self._shown for each in both for cell in each)
-        turns = any(cell.unit in TURNING for cell in cells)
-        return self._entries.sense(end, share) if turns else []
+            cells = (each.cell for _, both in self._shown for own in both for each in own)
+            yield from map(words.item, self._entries.sense(cells, complex(right, y), share))
 
     def _shows(self, each: _Cell, at: complex, size: float, until: int = FOREVER) -> Iterator[Item]:
         """Yield a cell, in bold while its stroke has just measured it."""
