@@ -66,6 +66,10 @@ def calculated(said: dict[str, Any]) -> Iterator[tuple[float, float]]:
                 yield result, math.prod(value**power for value, power in operands)
             case "sum":
                 yield result, sum(values)
+            case "inclined":
+                factor, first, second, degrees = values
+                angle = math.radians(degrees)
+                yield result, factor * (first + second * math.cos(angle)) / math.sin(angle)
             case "hypotenuse":
                 yield result, math.hypot(*values)
             case "leg":

@@ -84,8 +84,12 @@ class Terms:
 
 #: A ``hypotenuse`` is the root of the sum of the squares of its operands, the legs.  A ``leg`` is
 #: the root of the difference of the squares of its operands, the hypotenuse and the other leg.
-#: ``sines`` are a product in which each angle in degrees stands for its sine.
-CalculationKind = Literal["product", "sines", "sum", "hypotenuse", "leg"]
+#: ``sines`` are a product in which each angle in degrees stands for its sine.  What is ``inclined``
+#: is the first operand times the second, plus the third times the cosine of the last one, an angle
+#: in degrees, over the sine of this.
+CalculationKind = Literal["product", "sines", "sum", "inclined", "hypotenuse", "leg"]
+#: Those in which an angle may need more digits than other numbers.
+_WITH_SINES = ("sines", "inclined")
 
 
 @dataclass(slots=True)
@@ -116,6 +120,11 @@ def total(result: str, *addends: str) -> Calculation:
     return Calculation(result, "sum", addends)
 
 
+def inclined(result: str, factor: str, addends: str, angle: str) -> Calculation:
+    """Return the calculation of factor·(first + second·cos angle)/sin angle."""
+    return Calculation(result, "inclined", (factor, addends, angle))
+
+
 def hypotenuse(result: str, *legs: str) -> Calculation:
     """Return the calculation of a part as the root of the sum of the squares of others."""
     return Calculation(result, "hypotenuse", legs)
@@ -134,6 +143,15 @@ def _sum(addends: list[Decimal]) -> Decimal:
     return reduce(_EXACT.add, addends)
 
 
+def _inclined(operands: list[Decimal]) -> Decimal:
+    factor, first, second, degrees = operands
+    angle = math.radians(degrees)
+    if not math.sin(angle):
+        return _BEYOND
+    whole = _EXACT.add(first, _EXACT.multiply(second, Decimal(math.cos(angle))))
+    return _EXACT.divide(_EXACT.multiply(factor, whole), Decimal(math.sin(angle)))
+
+
 def _hypotenuse(legs: list[Decimal]) -> Decimal:
     return _EXACT.sqrt(_sum([_EXACT.multiply(each, each) for each in legs]))
 
@@ -148,6 +166,7 @@ _OPERATIONS: dict[CalculationKind, Callable[[list[Decimal]], Decimal]] = {
     "product": _product,
     "sines": _product,
     "sum": _sum,
+    "inclined": _inclined,
     "hypotenuse": _hypotenuse,
     "leg": _leg,
 }
@@ -166,16 +185,15 @@ def with_digits(sentence: Sentence, notation: Notation) -> Mapping[str, Sentence
     """
     alike: dict[str, list[_Typed]] = defaultdict(list)
 
-    def typed(figure: Figure, sines: bool = False) -> _Typed:
-        number = _Typed(figure, notation, sines)
+    def typed(figure: Figure, operation: CalculationKind = "sum") -> _Typed:
+        number = _Typed(figure, notation, operation)
         alike[number.key].append(number)
         return number
 
     calculations = []
     for each in reversed(sentence.calculations):
         (result,) = map(typed, sentence.figures((each.result,)))
-        sines = each.operation == "sines"
-        operands = [typed(figure, sines) for figure in sentence.figures(each.operands)]
+        operands = [typed(figure, each.operation) for figure in sentence.figures(each.operands)]
         calculations.append((result, operands, _OPERATIONS[each.operation]))
     digits: dict[str, int] = {}
     # Each number gets more digits only, and `_ALL` at most.
@@ -230,12 +248,14 @@ class _Typed:
         in a product.
     """
 
-    def __init__(self, figure: Figure, notation: Notation, sines: bool = False) -> None:
+    def __init__(self, figure: Figure, notation: Notation, operation: CalculationKind) -> None:
         self.figure, self.key = figure, _key(figure.value)
         unit = figure.scale or figure.unit
         self._value, self._unit = notation.scaled(figure.value, unit), notation.unit(unit)
-        self._sine = sines and self._unit == DEGREE
-        self.extra = EXTRA_DIGITS_OF_SINES if self._sine else EXTRA_DIGITS
+        self._sine = operation == "sines" and self._unit == DEGREE
+        self._power = figure.power if operation in ("product", "sines") else 1
+        angular = operation in _WITH_SINES and self._unit == DEGREE
+        self.extra = EXTRA_DIGITS_OF_SINES if angular else EXTRA_DIGITS
         self.read(0)
 
     def read(self, digits: int) -> None:
@@ -250,12 +270,11 @@ class _Typed:
         return self._raised(Decimal(self._value))
 
     def _raised(self, number: Decimal) -> Decimal:
-        power = self.figure.power
         if self._sine:
             number = Decimal(math.sin(math.radians(number)))
-        if power < 0 and not number:
+        if self._power < 0 and not number:
             return _BEYOND
-        return number if power == 1 else _EXACT.power(number, power)
+        return number if self._power == 1 else _EXACT.power(number, self._power)
 
     @property
     def count(self) -> int:

@@ -385,12 +385,12 @@ PHRASES = {
         "{symbol} = {value} {unit}, von {tail} nach {head}: wegen *α₂* = 0 ist es *α₄*."
     ),
     "bodies turned frame": (
-        "Betrag: {symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; *τ̇* ist "
-        "der Teil von *ω₃* in der Ebene *BOC* ⟂ *OI*, geteilt durch sin *δ*."
+        "|{symbol}·*τ̇*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
+        "Klammer: der Teil von *ω₃* in *BOC* ⟂ *OI*, mit den Abständen von 3 und 1 zu 2 4."
     ),
     "bodies turned coupler": (
-        "Betrag: {symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; "
-        "*τ̇₃* ebenso mit dem Teil in der Ebene *AOD*."
+        "|{symbol}·*τ̇₃*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
+        "Klammer: der Teil in *AOD*."
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, mit *τ̇* = (*ω₄₂*·sin "

@@ -385,12 +385,12 @@ PHRASES = {
         "{symbol} = {value} {unit}, from {tail} to {head}: as *α₂* = 0, it is *α₄*."
     ),
     "bodies turned frame": (
-        "In size, {symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; *τ̇* is "
-        "the part of *ω₃* in the plane *BOC*, ⟂ *OI*, over sin *δ*."
+        "|{symbol}·*τ̇*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
+        "The bracket is the part of *ω₃* in *BOC* ⟂ *OI*, by the distances of 3 and 1 from 2 4."
     ),
     "bodies turned coupler": (
-        "In size, {symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI*; "
-        "*τ̇₃* likewise, with the part in the plane *AOD*."
+        "|{symbol}·*τ̇₃*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
+        "The bracket is the part in *AOD*."
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, which turns at *τ̇* = "

@@ -394,12 +394,12 @@ PHRASES = {
         "{symbol} = {value} {unit}, de {tail} à {head} : comme *α₂* = 0, c’est *α₄*."
     ),
     "bodies turned frame": (
-        "Norme : {symbol}·*τ̇* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI* ; *τ̇* est "
-        "la composante de *ω₃* dans le plan *BOC*, ⟂ *OI*, divisée par sin *δ*."
+        "|{symbol}·*τ̇*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
+        "Parenthèse : la composante de *ω₃* dans *BOC* ⟂ *OI*, par les distances de 3 et 1 à 2 4."
     ),
     "bodies turned coupler": (
-        "Norme : {symbol}·*τ̇₃* = {omega} × {part}/sin({delta}°) = {value} {unit}, ⟂ *OI* ; "
-        "*τ̇₃* de même, avec la composante dans le plan *AOD*."
+        "|{symbol}·*τ̇₃*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
+        "Parenthèse : la composante dans *AOD*."
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, avec *τ̇* = (*ω₄₂*·sin "

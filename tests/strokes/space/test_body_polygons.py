@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import vad
-from tests.strokes.named import dot
+from tests.strokes.named import dot, vector
 from vad.strokes.sentences import Sentence
 from vad.strokes.sheet import Arrow, Curve, Dot, Panel
 from vad.strokes.space.body_polygons import BodyScript
@@ -17,6 +17,8 @@ from vad.strokes.space.scene import SceneInSpace
 from vad.words import Language
 
 KINDS = ("spherical-four-bar", "hooke-joint", "spatial-four-bar")
+#: The vectors of the polygon of velocities that begin or end at 2: to 1, to 3 and along 2 4.
+FROM_TWO = (("12", "absolute"), ("23", "relative"), ("24", "relative"))
 ANGLES = (25.0, 140.0, 250.0)
 
 
@@ -51,15 +53,27 @@ def test_the_rate_at_which_oi_turns_is_a_part_of_the_coupler_s_over_a_sine(
         part = abs(np.dot(coupler, across))
         figures = {
             each: next(sentence.figures((each,))).value
-            for each in ("part", "delta", "pace", "value", "omega")
+            for each in ("delta", "pace", "value", "omega")
             if each in sentence.parts
         }
         if "pace" in figures:  # a formula of its own
             assert figures["pace"] == pytest.approx(part / sine)
         else:
-            assert figures["part"] == pytest.approx(part)
-            assert math.sin(math.radians(figures["delta"])) == pytest.approx(sine)
+            delta = math.radians(figures["delta"])
+            assert math.sin(delta) == pytest.approx(sine)
+            own, other = (each.value for each in sentence.figures(("apart",)))
+            assert own + other * math.cos(delta) == pytest.approx(part)
+            measured = from_line(drawn)
+            order = "31" if normal is first else "13"
+            assert [abs(own), abs(other)] == pytest.approx([measured[each] for each in order])
         assert figures["value"] == pytest.approx(figures["omega"] * part / sine)
+
+
+def from_line(drawn: SceneInSpace) -> dict[str, float]:
+    """Return how far 1 and 3 are from the line 2 4 in the polygon of velocities, as it is drawn."""
+    polygon = vad.draw(drawn.motion).panel("velocity")
+    one, three, line = (vector(polygon, f"{each}.{kind}") for each, kind in FROM_TWO)
+    return {name: abs((way / line).imag) * abs(line) for name, way in (("1", one), ("3", three))}
 
 
 def axis_drawn(views: Panel, name: str) -> complex:

@@ -143,13 +143,13 @@ _F = FIGURE.pattern
 ROOT = re.compile(rf"√\(({_F})² ([+−]) ({_F})²\)(?:/BC)? = ({_F})[ /]")
 SINE = rf"sin\(({_F})°\)"
 SINES = re.compile(rf"= ({_F}) × {SINE} / {SINE} = ({_F}) ")
-OVER_SINE = re.compile(rf"= ({_F}) × ({_F})/{SINE} = ({_F}) ")
+INCLINED = re.compile(rf"= ({_F}) × \(({_F}) ([+−]) ({_F})·cos δ\)/{SINE} = ({_F}) ")
 SUM = re.compile(rf"= ({_F}(?: [+−] {_F})+) = ({_F}) ")
 
 
 @in_every_language
 def test_roots_sines_and_sums_come_out_as_on_a_pocket_calculator(code: str) -> None:
-    found = {"root": 0, "sines": 0, "over sine": 0, "sum": 0}
+    found = {"root": 0, "sines": 0, "inclined": 0, "sum": 0}
     for mechanism in IN_SPACE.values():
         for sheet in sheets(mechanism, steps=2, language=code):
             for caption in (s.caption for panel in sheet.halves for s in panel.strokes):
@@ -162,10 +162,12 @@ def test_roots_sines_and_sums_come_out_as_on_a_pocket_calculator(code: str) -> N
                     sines = [math.sin(math.radians(Figure(x).value)) for x in (above, below)]
                     near(Figure(factor).value * sines[0] / sines[1], Figure(product), caption)
                     found["sines"] += 1
-                for factor, part, angle, product in OVER_SINE.findall(caption):
-                    turning = Figure(part).value / math.sin(math.radians(Figure(angle).value))
-                    near(Figure(factor).value * turning, Figure(product), caption)
-                    found["over sine"] += 1
+                for factor, first, sign, second, angle, product in INCLINED.findall(caption):
+                    delta = math.radians(Figure(angle).value)
+                    leaning = (1 if sign == "+" else -1) * Figure(second).value * math.cos(delta)
+                    across = (Figure(first).value + leaning) / math.sin(delta)
+                    near(Figure(factor).value * across, Figure(product), caption)
+                    found["inclined"] += 1
                 for addends, total in SUM.findall(caption):
                     parts = addends.replace("− ", "−").replace("+ ", "").split()
                     near(sum(Figure(text).value for text in parts), Figure(total), caption)

@@ -28,7 +28,7 @@ from vad.plan.pictures import machine
 from vad.plan.pictures.sense_places import Bar, distances
 from vad.plan.pictures.vectors import HEAD_HALF_WIDTH, HEAD_NOTCH, Vector
 from vad.plan.sketch import Sketch, Tag
-from vad.strokes.sheet import Arc, Arrow, Stroke
+from vad.strokes.sheet import Arc, Arrow, Ellipse, Stroke
 
 SENSE_SIZES = (  # radius and span, the best first
     (0.062, 78.0),
@@ -44,6 +44,8 @@ SENSE_SIZES = (  # radius and span, the best first
 )
 #: Beyond the circle on which a crank runs, where it is drawn.
 WIDER = ((0.135, 38.0), (0.150, 34.0), (0.170, 30.0))
+#: About a crank that is drawn small, in a view.
+CLOSER = ((0.042, 80.0), (0.034, 90.0))
 SENSE_LEAD = 63.0
 SENSE_HEAD = 0.018
 CLEAR = 0.010  # about an arrow that stands still while the driver moves
@@ -130,14 +132,21 @@ def least_crossing(obstacles: Obstacles, centre: complex, crank: float, sense: f
 
 
 def beside_own(sketch: Sketch, angle: Stroke, place: SensePlace) -> bool:
-    """Tell whether an arrow stands nearer to the bar that an angle turns than to another link."""
+    """Tell whether an arrow stands nearer to the bar that an angle turns than to another link.
+
+    On a ball that a view shows it seems to belong to this, wherever the bars are.
+    """
     bars: dict[bool, list[Bar]] = {True: [], False: []}
+    centre = sketch.solved.place(Anchor.of(angle.name, "centre"))
+    line = np.array(place.line(centre))
     for stroke in sketch.setting.panel.strokes:
         if isinstance(stroke.shape, Arrow) and stroke.link:
             ends = sketch.scale(stroke.shape.start), sketch.scale(stroke.shape.end)
             bars[stroke.link == angle.link].append(ends)
-    centre = sketch.solved.place(Anchor.of(angle.name, "centre"))
-    line = np.array(place.line(centre))
+        elif isinstance(stroke.shape, Ellipse) and stroke.kind == "fixed":
+            away = np.abs(line - sketch.scale(stroke.shape.centre))
+            if away.min() < abs(stroke.shape.first) * sketch.scale.factor + CLEAR:
+                return False
     own, others = (distances(line, bars[mine]) for mine in (True, False))
     return not bars[True] or bool((own <= others).all())
 

@@ -155,7 +155,7 @@ class Views:
         add_notes(sketch)
         driven = panel.find(setting.sheet.driver.angle)
         if driven is not None:
-            sizes = angles.SENSE_SIZES + angles.WIDER
+            sizes = angles.SENSE_SIZES + angles.CLOSER + angles.WIDER
             angles.add_free_sense(sketch, driven, panel.strokes[driven], sizes)
         points = [vertex.at for vertex in vertices]
         for index, stroke in enumerate(panel.strokes):

@@ -95,14 +95,13 @@ class Bodies:
         return _side(self._settled)
 
     @property
-    def apart(self) -> Any:
-        """The product of the distances of 1 and 3 from the line 2 4, in the polygon of ω.
+    def apart(self) -> tuple[Any, Any]:
+        """How far 1 and 3 are from the line 2 4 in the polygon of ω.
 
-        Where it is positive, they lie on both sides of that line if the side is +1.
+        With equal signs they lie on both sides of that line if the side is +1.
         """
-        _, turns = self.turns(VELOCITY)
-        other, own = dot(self.axis.d, self.axis.m), dot(self.axis.b, self.axis.j)
-        return turns.at_d * other * turns.at_b * own
+        turns, axis = self.turns(VELOCITY)[1], self.axis
+        return turns.at_d * dot(axis.d, axis.m), turns.at_b * dot(axis.b, axis.j)
 
     def vertices(self, order: Order, coupler: bool = True) -> Mapping[str, Any]:
         """Return where the vertices of the polygon of ω or α are."""
@@ -173,4 +172,4 @@ class Bodies:
 def _side(mechanism: Any) -> float:
     """Return the side on which the triangles of ω lie apart in most poses; -1 of equal ones."""
     turning: Any = over_its_range(mechanism, SAMPLES)
-    return 1.0 if np.nanmedian(turning.bodies.apart) > NOTHING else -1.0
+    return 1.0 if np.nanmedian(np.prod(turning.bodies.apart, axis=0)) > NOTHING else -1.0

@@ -9,6 +9,7 @@ construction lines.
 
 from __future__ import annotations
 
+import math
 from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -18,7 +19,7 @@ from typing import Any, ClassVar
 from vad.kinematics.numbers import bearing, not_below, plane, select
 from vad.kinematics.space.instant_axis import Z
 from vad.kinematics.space.numbers import dot, real
-from vad.strokes.arithmetic import Figure, product, product_of_sines
+from vad.strokes.arithmetic import Figure, Terms, inclined, product
 from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order, Spot
 from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.sheet import Component, Curve, Ellipse, Fold, Stroke, StrokePart
@@ -274,21 +275,24 @@ class BodyPolygon:
     def _turned(self, plane: str, value: float, pace: Any) -> Callable[..., Sentence]:
         """Say how ω₄₂ turns with OI in the plane of the frame or in that of the coupler.
 
-        Its rate is the part of ω₃ that is perpendicular to OI in the other plane, over sin δ.
+        Its rate is the part of ω₃ that is perpendicular to OI in the other plane, over sin δ.  This
+        part follows from the distances of 3 and 1 from the line 2 4 in the polygon of ω.
         """
-        screw, parts = self.bodies.screw, dict[str, Any]()
+        pace, parts = real(pace), dict[str, Any]()
         parts |= {"symbol": RELATIVE[1], "unit": Unit(self.unit)}
         parts["value"] = Figure(abs(value), self.unit)
         parts["omega"] = Figure(abs(real(self.bodies.pace.omega)), VELOCITY.unit)
         if self.names.paced:
-            plane, steps = "paced", product("value", "omega", "pace")
-            parts["pace"] = Figure(abs(real(pace)), VELOCITY.unit)
-            parts["signed"] = Figure(real(pace), VELOCITY.unit)
+            plane, step = "paced", product("value", "omega", "pace")
+            parts["pace"] = Figure(abs(pace), VELOCITY.unit)
+            parts["signed"] = Figure(pace, VELOCITY.unit)
         else:
-            steps = product_of_sines("value", "omega", "part", "delta")
-            parts["part"] = Figure(abs(real(pace) * real(screw.sine)), VELOCITY.unit)
-            parts["delta"] = Figure(screw.delta, "°", power=-1)
-        return partial(self.scene.say, f"{self.names.topic} turned {plane}", steps, **parts)
+            step = inclined("value", "omega", "apart", "delta")
+            of_frame, of_coupler = (math.copysign(each, each * pace) for each in self.bodies.apart)
+            addends = (of_frame, of_coupler) if plane == "coupler" else (of_coupler, of_frame)
+            parts["apart"] = Terms(tuple(Figure(each, VELOCITY.unit) for each in addends))
+            parts["delta"] = Figure(self.bodies.screw.delta, "°")
+        return partial(self.scene.say, f"{self.names.topic} turned {plane}", step, **parts)
 
 
 class BodyScript(Script):
