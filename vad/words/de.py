@@ -380,9 +380,9 @@ PHRASES = {
     "bodies pole": "Pol ist das Gestell, {frame}; {symbol} = {value} {unit}, längs {axis}.",
     "bodies pole steady": ("Der Pol: das Gestell, 1′, und 2′, denn *α₂* = {value} ist gegeben."),
     "bodies measured": "{symbol} = {value} {unit}.",
-    "bodies whole": "{symbol} = {value} {unit}, von {tail} nach {head}.",
+    "bodies whole": "|{symbol}| = {value} {unit}, von {tail} nach {head}.",
     "bodies whole steady": (
-        "{symbol} = {value} {unit}, von {tail} nach {head}: wegen *α₂* = 0 ist es *α₄*."
+        "|{symbol}| = {value} {unit}, von {tail} nach {head}: wegen *α₂* = 0 der Vektor *α₄*."
     ),
     "bodies turned frame": (
         "|{symbol}·*τ̇*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
@@ -591,7 +591,7 @@ PHRASES = {
     "hooke driven": "{symbol} = {value} {unit}; im Umlauf ist es {low} bis {high} mal *ω₂*.",
     "hooke fold": "*OP* und *OQ* bleiben so umgeklappt.",
     "hooke turned paced": (
-        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* = *ω₂*·tan "
+        "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OT*, das sich mit *τ̇* = *ω₂*·tan "
         "*β*·sin 2*θ₂*·cos² *τ* dreht (tan *τ* abgeleitet)."
     ),
     # Kleins Konstruktion
@@ -808,15 +808,14 @@ PHRASES = {
     ),
     "spatial turned": "{label} = *aa₄*·|*τ̇*| = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* = {sum} = {value} {unit}, ⟂ *OI*; *AH* wächst mit *ḣ* = "
-        "{rising} {pace}."
+        "{label} = |*α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ*| = {sum} = {value} {unit}, ⟂ *OI*; *AH* wächst mit "
+        "*ḣ* = {rising} {pace}."
     ),
     "spatial about D velocity": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* dreht sich "
-        "um *D*."
+        "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: auch um *D*."
     ),
     "spatial about D acceleration": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
+        "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
     ),
     "spatial along I": "∥ *OI* durch {point}",
     "spatial along D velocity": "∥ *OD* durch {point}, denn *A* gleitet längs beider",

@@ -380,9 +380,9 @@ PHRASES = {
     "bodies pole": "The pole is the frame, {frame}; {symbol} = {value} {unit}, along {axis}.",
     "bodies pole steady": ("The pole: the frame, 1′, and 2′, as *α₂* = {value} is given."),
     "bodies measured": "{symbol} = {value} {unit}.",
-    "bodies whole": "{symbol} = {value} {unit}, from {tail} to {head}.",
+    "bodies whole": "|{symbol}| = {value} {unit}, from {tail} to {head}.",
     "bodies whole steady": (
-        "{symbol} = {value} {unit}, from {tail} to {head}: as *α₂* = 0, it is *α₄*."
+        "|{symbol}| = {value} {unit}, from {tail} to {head}: as *α₂* = 0, it is the vector *α₄*."
     ),
     "bodies turned frame": (
         "|{symbol}·*τ̇*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
@@ -576,7 +576,7 @@ PHRASES = {
     "hooke driven": "{symbol} = {value} {unit}; over a turn it is {low} to {high} times *ω₂*.",
     "hooke fold": "*OP* and *OQ* stay turned into the plane of the shafts.",
     "hooke turned paced": (
-        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, which turns at *τ̇* = "
+        "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OT*, which turns at *τ̇* = "
         "*ω₂*·tan *β*·sin 2*θ₂*·cos² *τ*, by differentiating tan *τ*."
     ),
     # Klein's construction
@@ -777,15 +777,15 @@ PHRASES = {
     ),
     "spatial turned": "{label} = *aa₄*·|*τ̇*| = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* = {sum} = {value} {unit}, ⟂ *OI*; *AH* grows at *ḣ* = "
+        "{label} = |*α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ*| = {sum} = {value} {unit}, ⟂ *OI*; *AH* grows at *ḣ* = "
         "{rising} {pace}."
     ),
     "spatial about D velocity": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* turns about "
+        "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* turns about "
         "*D*, too."
     ),
     "spatial about D acceleration": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
+        "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
     ),
     "spatial along I": "∥ *OI* through {point}",
     "spatial along D velocity": "∥ *OD* through {point}, as *A* slides along both",

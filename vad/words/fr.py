@@ -389,9 +389,9 @@ PHRASES = {
     "bodies pole": "Le pôle est le bâti, {frame} ; {symbol} = {value} {unit}, suivant {axis}.",
     "bodies pole steady": ("Le pôle : le bâti, 1′, et 2′, car *α₂* = {value} est donné."),
     "bodies measured": "{symbol} = {value} {unit}.",
-    "bodies whole": "{symbol} = {value} {unit}, de {tail} à {head}.",
+    "bodies whole": "|{symbol}| = {value} {unit}, de {tail} à {head}.",
     "bodies whole steady": (
-        "{symbol} = {value} {unit}, de {tail} à {head} : comme *α₂* = 0, c’est *α₄*."
+        "|{symbol}| = {value} {unit}, de {tail} à {head} : comme *α₂* = 0, c’est le vecteur *α₄*."
     ),
     "bodies turned frame": (
         "|{symbol}·*τ̇*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
@@ -591,7 +591,7 @@ PHRASES = {
     "hooke driven": "{symbol} = {value} {unit} ; sur un tour, de {low} à {high} fois *ω₂*.",
     "hooke fold": "*OP* et *OQ* restent ainsi rabattus.",
     "hooke turned paced": (
-        "{symbol}·*τ̇* = {omega} × {pace} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇* = *ω₂*·tan "
+        "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OT*, qui tourne à *τ̇* = *ω₂*·tan "
         "*β*·sin 2*θ₂*·cos² *τ*, en dérivant tan *τ*."
     ),
     # la construction de Klein
@@ -809,15 +809,15 @@ PHRASES = {
     ),
     "spatial turned": "{label} = *aa₄*·|*τ̇*| = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
-        "{label} = *α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ* = {sum} = {value} {unit}, ⟂ *OI* ; *AH* croît de *ḣ* = "
-        "{rising} {pace}."
+        "{label} = |*α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ*| = {sum} = {value} {unit}, ⟂ *OI* ; *AH* croît de "
+        "*ḣ* = {rising} {pace}."
     ),
     "spatial about D velocity": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : *A* tourne "
+        "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : aussi "
         "autour de *D*."
     ),
     "spatial about D acceleration": (
-        "{label} = {symbol}·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
+        "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
     ),
     "spatial along I": "∥ *OI* par {point}",
     "spatial along D velocity": "∥ *OD* par {point}, car *A* glisse suivant les deux",

@@ -176,7 +176,7 @@ def test_printed_factors_give_the_printed_product():
     for angle in ANGLES:
         panel = sheet(angle).panel("acceleration")
         for each in panel.strokes:
-            found = re.search(r"τ̇ = ([\d.]+) × ([\d.]+) = ([\d.]+)", each.caption)
+            found = re.search(r"\|ω₄₂·τ̇\| = ([\d.]+) × ([\d.]+) = ([\d.]+)", each.caption)
             assert bool(found) == (each.name == "24.normal")
             if found:
                 omega, pace, value = found.groups()
@@ -292,7 +292,7 @@ def test_the_caption_of_the_sum_says_when_it_is_that_of_the_driven_shaft(alpha: 
     panel = vad.draw(motion(60.0, alpha=alpha)).panel("acceleration")
     whole, driven = (vector(panel, name) for name in ("24.whole", "14.absolute"))
     alike = abs(whole - driven) <= 1e-9 * abs(driven)
-    assert alike == ("it is α₄" in stroke(panel, "24.whole").caption) == (not alpha)
+    assert alike == ("the vector α₄" in stroke(panel, "24.whole").caption) == (not alpha)
 
 
 @pytest.mark.parametrize("angle", [20.0, 60.0, 130.0, 200.0, 310.0])
