@@ -9,6 +9,7 @@ import pytest
 import vad
 from tests.strokes.calculations import chains
 from tests.strokes.motions import drawn, everything, in_every_language, poses
+from vad.files.examples import example_path
 from vad.kinematics.motion import Motion
 from vad.lecture.lesson import animate, still
 from vad.strokes.sheet import Cell, Panel, Sheet
@@ -94,6 +95,21 @@ def _check_lesson(sheet: Sheet) -> None:
         page = still(lesson, number).drawn
         shown = {name for panel in page.panels for name, _ in cells(page, panel.name)}
         assert shown == known, (number, step.stroke)
+
+
+def test_a_swinging_cylinder_slides_when_that_is_drawn_not_when_its_turning_is() -> None:
+    sheet = vad.draw(vad.solve(vad.load(example_path("oscillating-cylinder"))()))
+    for panel, turning, sliding in (("velocity", "ω₃", "v"), ("acceleration", "α₃", "a")):
+        measured = sheet.panel(panel)
+        steps = [s for s in animate(sheet).steps if s.panel.name == panel]
+        before = sum(len(each.strokes) for each in sheet.panels[: sheet.panels.index(measured)])
+        since = {}
+        for number, step in enumerate(steps, start=before + 1):
+            for row in still(animate(sheet), number).drawn.rows:
+                for cell in row.cells.get(panel, ()):
+                    since.setdefault(cell.symbol, step.stroke.name)
+        assert (since[turning], since[sliding]) == ("DQ.tangential", "QB.sliding")
+        assert f"{sliding} = " in measured.strokes[measured.number("QB.sliding")].caption
 
 
 @everything

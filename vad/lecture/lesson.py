@@ -23,9 +23,9 @@ from vad.lecture.pace import AFTER_ANSWER, CLOSING, GLIDE, OPENING, SETTLE, SHEE
 from vad.lecture.scenes import is_staged, scene_numbers
 from vad.lecture.script import Script, script_of, step_number
 from vad.lecture.telling import reading, share_caption
-from vad.strokes.reveals import finder, revealed
+from vad.strokes.reveals import measurer
 from vad.strokes.sentences import Sentence
-from vad.strokes.sheet import Panel, Sheet, Stroke, driver_of
+from vad.strokes.sheet import Panel, Row, Sheet, Stroke, driver_of
 from vad.strokes.telling import telling
 from vad.strokes.travel import Travel
 from vad.strokes.travels import travels
@@ -339,14 +339,17 @@ def drawn_so_far(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> She
     are left out, and so are values that have not been measured yet.
     """
     panels = tuple(filter(None, (_panel_so_far(panel, strokes) for panel in sheet.panels)))
-    known = {
-        found
+    drawn = {
+        half.full(stroke.name)
         for panel in panels
         for half in panel.halves
         for stroke in half.strokes
-        for found in revealed(half, stroke)
-        if found[0] != half.name or finder(sheet, half, found[1]) is None
     }
+
+    def known(half: Panel, row: Row) -> bool:
+        found = measurer(sheet, half, row)
+        return found is not None and found[0].full(found[1].name) in drawn
+
     rows = []
     for row in sheet.rows:
         cells = {
@@ -354,7 +357,7 @@ def drawn_so_far(sheet: Sheet, strokes: Mapping[str, tuple[Stroke, ...]]) -> She
                 cell
                 for half, measured in sheet.panel(panel.name).measures(row)
                 for cell in measured
-                if cell.given or (half.name, row.key) in known
+                if cell.given or known(half, row)
             )
             for panel in panels
         }

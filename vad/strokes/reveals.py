@@ -33,8 +33,14 @@ def finder(sheet: Sheet, panel: Panel, row: str | None) -> tuple[Panel, Stroke] 
 def measurer(sheet: Sheet, panel: Panel, row: Row) -> tuple[Panel, Stroke] | None:
     """Return the stroke that measures the cells of a row in a panel, and its panel.
 
-    It is that of another panel where one finds the row, else the first one of the panel itself.
+    It is that of another panel where one finds the row, else the first one of the panel itself.  A
+    cylinder that swings has two rows, one of its turning and one of its sliding: the second one is
+    measured by the second stroke.
     """
     found = finder(sheet, panel, row.key)
-    own = (stroke for stroke in panel.strokes if row.key in stroke.reveals)
-    return found or next(((panel, stroke) for stroke in own), None)
+    own = [(panel, stroke) for stroke in panel.strokes if row.key in stroke.reveals]
+    if found or not own:
+        return found
+    alike = [each for each in sheet.rows if each.key == row.key]
+    place = next((number for number, each in enumerate(alike) if each is row), 0)
+    return own[min(place, len(own) - 1)]
