@@ -11,6 +11,7 @@ import pytest
 import vad
 from tests.kinds import PLANE
 from tests.plan.overlaps import planned
+from vad.files.examples import example_path
 from vad.painting.agg_painter import AggPainter
 from vad.painting.painter import Looks
 from vad.plan.anchors import Anchor, Solved, Strip
@@ -18,7 +19,7 @@ from vad.plan.board import Plan
 from vad.plan.geometry import Rect
 from vad.plan.items import Item
 from vad.plan.labels.obstacles import Obstacles
-from vad.plan.marks import Disc, Mark, Polygon, Polyline
+from vad.plan.marks import Bow, Disc, Mark, Polygon, Polyline
 from vad.plan.pictures import machine
 from vad.plan.pictures.supports import calm_way
 from vad.plan.roles import DOT_RIM
@@ -145,6 +146,19 @@ def test_where_no_two_bodies_meet_is_a_dot():
         assert dot(lever, point(lever, "C")).role == role
     trammel = drawn("elliptical-trammel", angle=60)
     assert dot(trammel, point(trammel, "P")).role == "point"
+
+
+def test_a_rod_that_ends_at_a_crank_pin_has_a_joint_there_and_leaves_the_angle_whole():
+    motion = vad.solve(vad.load(example_path("oscillating-cylinder"))())
+    board = planned(vad.draw(motion, panels="position"))
+    assert dot(board, point(board, "B")).role == "joint"
+    (arc,) = (
+        mark.shape
+        for item in board.shown(board.finished)
+        for mark in item.marks
+        if mark.role == "angle" and isinstance(mark.shape, Bow)
+    )
+    assert arc.sweep == pytest.approx(60.0)
 
 
 @pytest.mark.parametrize("style", style_names())

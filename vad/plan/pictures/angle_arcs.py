@@ -164,15 +164,17 @@ def _crossed_from(sketch: Sketch, bow: Bow) -> int:
 
 
 def _parts(obstacles: Obstacles, bow: Bow) -> list[tuple[float, float]]:
-    """Return the shares of an arc between which it crosses nothing, and both of its ends.
+    """Return the shares of an arc between which it crosses nothing that stays, and both its ends.
 
-    So all see where it begins and where it ends.
+    So all see where it begins and where it ends.  A construction line crosses it for a while.
     """
     steps = max(2, math.ceil(abs(bow.sweep) / STEP))
     turns = np.radians(bow.start + bow.sweep * np.linspace(0.0, 1.0, steps + 1))
     spots = bow.centre + bow.radius * np.exp(1j * turns)
     strokes = Obstacles(obstacles.edge.inside(-1.0))
-    strokes.lines = [each for each in obstacles.lines if not _is_own(each, bow)]
+    strokes.lines = [
+        each for each in obstacles.lines if each[3][1] == FOREVER and not _is_own(each, bow)
+    ]
     kept = strokes.free(spots.tolist(), 0.0, 0.0, GAP)
     kept |= np.minimum(abs(spots - spots[0]), abs(spots - spots[-1])) < ENDS
     runs = [[*run] for there, run in itertools.groupby(range(steps + 1), kept.__getitem__) if there]

@@ -402,9 +402,14 @@ def painting_order(panel: Panel) -> list[int]:
 
 
 def pins(panel: Panel) -> set[str]:
-    """Return the letters of the points at which two bodies meet, of which the frame may be one."""
+    """Return the letters of the points at which two bodies meet, of which the frame may be one.
+
+    The rod of a cylinder ends at such a point, by whatever letter its bar ends there.
+    """
     letters = Counter(letter for body in panel.bodies for letter in body.points)
-    return {letter for letter, bodies in letters.items() if bodies > 1}
+    bars = (stroke.shape for stroke in panel.strokes if isinstance(stroke.shape, Arrow))
+    rods = {bar.head for bar in bars if bar.cylinder}
+    return {letter for letter, bodies in letters.items() if bodies > 1} | rods
 
 
 def angle_centre(panel: Panel) -> complex | None:
