@@ -58,6 +58,9 @@ SMALL_SIZE = 0.030
 SMALLER = 0.85
 GAPS = (0.013, 0.022, 0.034)
 OFF_LINE = 4.0 * PIXEL  # as far from the middle of a line, another stroke begins
+#: A leader ends so far from its line.
+AT_LINE = 2.0 * PIXEL
+LED_TO = (0.5, 0.3, 0.7, 0.15, 0.85)  # of a line: the ends of leaders that are tried
 SHARES = (0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82, 0.10, 0.90)
 
 
@@ -365,19 +368,21 @@ def add_tag(
     span: Span,
     since: int,
     growth: Growth | None = None,
+    dots: Sequence[complex] = (),
 ) -> None:
     """Write ``text`` beside the line between ``ends``, nearest its middle; it hangs on the first.
 
     It keeps clear of all that shows in its ``span`` of beats, and appears at ``since``.  Without a
-    clear place it is smaller; if it has none then, and would go again, it is left out.
+    clear place it is smaller; if it has none then, and would go again, it is left out.  If it can
+    be, its leader passes none of some ``dots``.
     """
     runs, row = symbols(text), sketch.setting.row(stroke.link)
     start, end = sketch.solved.places(ends)
     first, last = _drawn(sketch, stroke, plain(start), plain(end))
-    placed = _along(sketch.obstacles.during(span), first, last, runs, size)
+    placed = _along(sketch.obstacles.during(span), first, last, runs, size, dots)
     if placed.forced:
         size *= SMALLER
-        placed = _along(sketch.obstacles.during(span), first, last, runs, size)
+        placed = _along(sketch.obstacles.during(span), first, last, runs, size, dots)
         if placed.forced and span[1] != FOREVER:
             return
     if is_symbolic(end - start) and first != last and not placed.leader:  # it turns with the line
@@ -406,7 +411,14 @@ def _drawn(sketch: Sketch, stroke: Stroke, start: complex, end: complex) -> tupl
     return start, end
 
 
-def _along(obstacles: Obstacles, start: complex, end: complex, runs: Runs, size: float) -> Placed:
+def _along(
+    obstacles: Obstacles,
+    start: complex,
+    end: complex,
+    runs: Runs,
+    size: float,
+    dots: Sequence[complex],
+) -> Placed:
     """Return a clear place beside a line, with no other stroke between both if there is one.
 
     If it can be, no other stroke is as near.
@@ -432,8 +444,32 @@ def _along(obstacles: Obstacles, start: complex, end: complex, runs: Runs, size:
                 return Placed(centres[each], wide, high)
             else:
                 close.append(centres[each])
-    wanted = Wish((start + end) / 2, normal, wide, high, near=())
-    led = far_off(obstacles, wanted, SHORT if close or found else math.inf)
+    led = _led_to(obstacles, (start, end), normal, (wide, high), dots, bool(close or found))
     if not (close or found) or is_short(led):
         return led
     return Placed((close or found)[0], wide, high)  # another stroke is as near, or between both
+
+
+def _led_to(
+    obstacles: Obstacles,
+    ends: tuple[complex, complex],
+    normal: complex,
+    inks: tuple[float, float],
+    dots: Sequence[complex],
+    short: bool,
+) -> Placed:
+    """Return a place with a leader to a line: to its middle, or to where nothing is between both.
+
+    It is none of the best places if it is to be ``short`` and is not.
+    """
+    tried: list[tuple[tuple[bool, bool, bool, float], Placed]] = []
+    for share in LED_TO if dots else LED_TO[:1]:
+        foot = ends[0] + share * (ends[1] - ends[0])
+        rivals = [dot for dot in dots if abs(dot - foot) > SAME]
+        wanted = Wish(foot, normal, *inks, near=(), rivals=rivals, off=AT_LINE)
+        led = far_off(obstacles, wanted, SHORT if short else math.inf)
+        length = abs(led.leader[1] - led.leader[0]) if led.leader else 0.0
+        tried.append(((led.forced, led.doubt, led.crosses, length), led))
+        if not any(tried[-1][0][:3]):
+            break
+    return min(tried, key=lambda each: each[0])[1]

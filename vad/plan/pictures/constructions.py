@@ -158,9 +158,7 @@ def add_construction(sketch: Sketch, index: int, placed: PlacedLine) -> None:
     sketch.obstacles.line([placed.start, placed.end], CONSTRUCTION / 2, span)
 
 
-def name_construction(
-    sketch: Sketch, index: int, placed: PlacedLine, points: list[complex]
-) -> None:
+def name_construction(sketch: Sketch, index: int, placed: PlacedLine, dots: list[complex]) -> None:
     """Write a line's name and its angle, which go when it is inked over, and lay the square."""
     stroke = sketch.setting.panel.strokes[index]
     shape = stroke.shape
@@ -172,7 +170,7 @@ def name_construction(
         return through + (spot - at) * RIGHT
 
     if shape.square_to:
-        middle = sum(points, 0j) / max(len(points), 1)
+        middle = sum(dots, 0j) / max(len(dots), 1)
         foot, stub, length = _stub(placed, middle, sketch.obstacles.during(span))
         marks = right_angle(foot, placed.way, stub, placed.row, length, COMING)
         sketch.add(stroke, Level.CONSTRUCTION, span[0], marks, span[1])
@@ -190,7 +188,7 @@ def name_construction(
         points = arc.line()
         sketch.obstacles.line(points, PIXEL, span)
         ends = hung(points[0]), hung(points[-1])
-    add_tag(sketch, stroke, stroke.label, ends, SIZE, span, span[0], COMING)
+    add_tag(sketch, stroke, stroke.label, ends, SIZE, span, span[0], COMING, dots)
     add_square(sketch, index, placed)
 
 
