@@ -181,7 +181,7 @@ def test_with_two_loads_tangential_parts_follow_by_moments():
     panel = vad.draw(vad.forces(vad.solve(machine, angle=120), loads)).panel("force")
     captions = {stroke.name: stroke.caption for stroke in panel.strokes}
     assert captions["F14D.tangential"] == (
-        "Moments about C: F₁₄ₜ = 31.28 N·m/(0.7500 m) = 41.71 N, ⟂ DC."
+        "Moments about C: F₁₄ₜ = 31.285 N·m/(0.7500 m) = 41.713 N, ⟂ DC."
     )
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Context, Decimal
 from functools import cache, reduce
@@ -172,13 +172,17 @@ _OPERATIONS: dict[CalculationKind, Callable[[list[Decimal]], Decimal]] = {
 }
 
 
-def with_digits(sentence: Sentence, notation: Notation) -> Mapping[str, SentencePart]:
-    """Return the parts of a sentence with enough digits for its calculations to hold as printed.
+def with_digits(
+    sentences: Sequence[Sentence], notation: Notation
+) -> list[Mapping[str, SentencePart]]:
+    """Return the parts of sentences with enough digits for their calculations to hold as printed.
+
+    One number has the same digits in all of them: who goes on with 2.5605, has read it before.
 
     Parameters
     ----------
-    sentence
-        The sentence with its calculations.  The digits of the last one are chosen first, because
+    sentences
+        The sentences with their calculations.  The digits of the last one are chosen first, because
         its operands are the results of earlier ones.
     notation
         How numbers are written otherwise.
@@ -191,10 +195,11 @@ def with_digits(sentence: Sentence, notation: Notation) -> Mapping[str, Sentence
         return number
 
     calculations = []
-    for each in reversed(sentence.calculations):
-        (result,) = map(typed, sentence.figures((each.result,)))
-        operands = [typed(figure, each.operation) for figure in sentence.figures(each.operands)]
-        calculations.append((result, operands, _OPERATIONS[each.operation]))
+    for sentence in reversed(sentences):
+        for each in reversed(sentence.calculations):
+            (result,) = map(typed, sentence.figures((each.result,)))
+            operands = [typed(figure, each.operation) for figure in sentence.figures(each.operands)]
+            calculations.append((result, operands, _OPERATIONS[each.operation]))
     digits: dict[str, int] = {}
     # Each number gets more digits only, and `_ALL` at most.
     for _ in range(_ALL * len(alike) + 1):
@@ -207,13 +212,14 @@ def with_digits(sentence: Sentence, notation: Notation) -> Mapping[str, Sentence
                 if finer is None:
                     break
                 digits[finer.key] = finer.count + 1
-                for same in alike[finer.key]:  # wherever it stands in the sentence
+                for same in alike[finer.key]:  # wherever it stands
                     same.read(digits[finer.key])
         if digits == before:
             break
-    if not digits:
-        return sentence.parts
-    return {name: _written(part, digits) for name, part in sentence.parts.items()}
+    return [
+        {name: _written(part, digits) for name, part in sentence.parts.items()}
+        for sentence in sentences
+    ]
 
 
 def _written(part: SentencePart, digits: Mapping[str, int]) -> SentencePart:

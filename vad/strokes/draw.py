@@ -199,8 +199,10 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
     rates = [largest.get(order.unit_of(scene.unit), 0.0) for order in (VELOCITY, ACCELERATION)]
     notation = Notation(scene.language.point, in_metres(rates))
     scene.voice.notation = notation
-    for sentence in scene.calculated:
-        sentence.parts = with_digits(sentence, notation)
+    for sentence, parts in zip(
+        scene.calculated, with_digits(scene.calculated, notation), strict=True
+    ):
+        sentence.parts = parts
     mechanism, clean = motion.mechanism, without_noise(rows, largest)
     return Sheet(
         mechanism=mechanism.name,

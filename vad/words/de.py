@@ -386,11 +386,11 @@ PHRASES = {
     ),
     "bodies turned frame": (
         "|{symbol}·*τ̇*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
-        "Klammer: der Teil von *ω₃* in *BOC* ⟂ *OI*, mit den Abständen von 3 und 1 zu 2 4."
+        "Klammer: Teil von *ω₃* in *BOC* ⟂ *OI*, mit den Abständen von 3 und 1 zu 2 4."
     ),
     "bodies turned coupler": (
         "|{symbol}·*τ̇₃*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
-        "Klammer: der Teil in *AOD*."
+        "Klammer: Teil in *AOD*."
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, mit *τ̇* = (*ω₄₂*·sin "
@@ -826,7 +826,7 @@ PHRASES = {
     "balls behind": "hinter",
     "balls crank": (
         "Unten, längs der Achse von *A* gesehen: die Kurbel *AB* = {size} {unit} steht bei "
-        "{angle}° vom gemeinsamen Lot der Achsen."
+        "{angle}° vom gemeinsamen Lot."
     ),
     "balls path of C": (
         "Oben, längs der Achse von *D* gesehen: *C* läuft auf diesem Kreis, *DC* = {size} {unit}; "
@@ -834,11 +834,11 @@ PHRASES = {
     ),
     "balls compass": (
         "*B* steht {height} {unit} {side} der Ebene dieses Kreises: hier ist *BC* = √({size}² − "
-        "{height}²) = {reach} {unit} lang."
+        "{height}²) = {reach} {unit}."
     ),
     "balls compass square": (
         "*B* steht {offset} + {crank}·sin {angle}° = {height} {unit} hinter der Ebene dieses "
-        "Kreises: hier ist *BC* = √({size}² − {height}²) = {reach} {unit} lang."
+        "Kreises: hier ist *BC* = √({size}² − {height}²) = {reach} {unit}."
     ),
     "balls offset": "{size}",
     "balls C": (

@@ -376,7 +376,7 @@ PHRASES = {
         "Vu suivant *DO*, le balancier est à {symbol} = {angle}° de l’arc *AD* prolongé."
     ),
     "spherical I": (
-        "Les grands cercles de *BC* et *AD* se coupent en *I* sous l’angle *δ* = {delta}° ; *AI* = "
+        "Les grands cercles de *BC* et *AD* se coupent en *I* sous *δ* = {delta}° ; *AI* = "
         "{ai}°, *DI* = {di}°. *OI* est l’axe du balancier par rapport à la manivelle."
     ),
     "spherical laid": (
@@ -395,11 +395,11 @@ PHRASES = {
     ),
     "bodies turned frame": (
         "|{symbol}·*τ̇*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
-        "Parenthèse : la composante de *ω₃* dans *BOC* ⟂ *OI*, par les distances de 3 et 1 à 2 4."
+        "Parenthèse : composante de *ω₃* dans *BOC* ⟂ *OI*, par les distances de 3 et 1 à 2 4."
     ),
     "bodies turned coupler": (
         "|{symbol}·*τ̇₃*| = {omega} × ({apart}·cos *δ*)/sin({delta}°) = {value} {unit}, ⟂ *OI*. "
-        "Parenthèse : la composante dans *AOD*."
+        "Parenthèse : composante dans *AOD*."
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, avec *τ̇* = (*ω₄₂*·sin "
@@ -789,8 +789,7 @@ PHRASES = {
         "Trois longueurs ferment la chaîne : *s_B* = {b}, *s_C* = {c}, *s_D* = {d} {unit}."
     ),
     "spatial bars": (
-        "La bielle *BC* = {coupler} {unit}, et le balancier *DC* = {rocker} {unit} à *θ₄* = "
-        "{theta}°."
+        "La bielle *BC* = {coupler} {unit}, le balancier *DC* = {rocker} {unit} à *θ₄* = {theta}°."
     ),
     "spatial H": (
         "Par rapport à la manivelle, le balancier tourne autour de *I* ∥ *OI* et y glisse ; *I* "
@@ -828,11 +827,11 @@ PHRASES = {
     "balls behind": "derrière",
     "balls crank": (
         "En bas, vue suivant l’axe de *A* : la manivelle *AB* = {size} {unit}, à {angle}° de la "
-        "normale commune des axes."
+        "normale commune."
     ),
     "balls path of C": (
         "En haut, vu suivant l’axe de *D* : *C* décrit ce cercle, *DC* = {size} {unit} ; *A* et "
-        "*B* sont juste au-dessus."
+        "*B* sont au-dessus."
     ),
     "balls compass": (
         "*B* est à {height} {unit} {side} le plan de ce cercle : ici *BC* = √({size}² − "
@@ -843,11 +842,11 @@ PHRASES = {
         ": ici *BC* = √({size}² − {height}²) = {reach} {unit}."
     ),
     "balls offset": "{size}",
-    "balls C": "Les deux cercles se coupent en *C* ; le balancier *DC* est à {theta} = {angle}°.",
-    "balls top": "Juste au-dessous, *C* complète la vue du bas.",
+    "balls C": "Les cercles se coupent en *C* ; le balancier *DC* est à {theta} = {angle}°.",
+    "balls top": "Au-dessous, *C* complète la vue du bas.",
     "balls third": (
         "Rabattu autour de la tangente à la trajectoire de *C*, le plan de celle-ci et de *BC* "
-        "est en vraie grandeur, le plan ⟂ *BC* est une droite."
+        "est en vraie grandeur ; le plan ⟂ *BC* est une droite."
     ),
     "balls askew": (
         "Projections : *p_AB* = {seen_AB}, *p_DC* = {seen_DC}, *p_BT* = {seen_BT} (*BT* : *AB* "
