@@ -237,6 +237,27 @@ def test_the_slope_of_the_position_is_the_velocity():
     assert slope == pytest.approx(v[1:-1], abs=0.2)
 
 
+@pytest.mark.parametrize("shafts", [20.0, 30.0, 55.0])
+def test_extremes_lie_between_samples_as_the_formulas_of_hookes_joint_have_them(shafts: float):
+    curves = vad.turn(vad.HookeJoint(shaft_angle=shafts)).cycle.curves
+    cosine, sine = math.cos(math.radians(shafts)), math.sin(math.radians(shafts))
+    assert curves["velocity"].extremes == pytest.approx((10.0 * cosine, 10.0 / cosine), rel=1e-12)
+    # α₄ is greatest where c = cos 2θ solves s²c² + (2 - s²)c - 2s² = 0, with s = sin β.
+    square = sine**2
+    root = math.sqrt((2.0 - square) ** 2 + 8.0 * square**2)
+    twice = math.acos((root - (2.0 - square)) / (2.0 * square))
+    below = 1.0 - square * (1.0 + math.cos(twice)) / 2.0
+    most = 100.0 * cosine * square * math.sin(twice) / below**2
+    assert curves["acceleration"].extremes == pytest.approx((-most, most), rel=1e-9)
+    assert max(curves["acceleration"].values) < most
+
+
+def test_the_least_speed_of_a_point_that_stops_is_nothing():
+    curve = vad.turn(vad.load(example_path("beam-engine"))()).cycle.curves["velocity"]
+    assert min(curve.values) > 1.0
+    assert 0.0 <= curve.extremes[0] < 1e-4
+
+
 @pytest.mark.parametrize("name", ["open", "crossed"])
 def test_links_that_close_at_one_place_alone_do_not_turn(name: str) -> None:
     """The crank is as long as all other links together."""

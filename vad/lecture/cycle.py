@@ -8,8 +8,8 @@ end of its swing, share 1 is a turn later.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, cast
 
@@ -159,6 +159,9 @@ _NOTHING = 1e-9
 #: The unit of couples with which energy is in joules.
 JOULE = "N m"
 _SHARES = np.linspace(0.0, 1.0, SAMPLES + 1)
+#: About a least or greatest sample: where a better one is sought, in shares of the way to the next
+#: samples, and how many times.  The last ones are 1e-5 degrees apart.
+BETWEEN, CLOSER = np.linspace(-1.0, 1.0, 33), 4
 #: If the ratio of forward to return time is below this, the mechanism has no quick return.
 LEAST_RATIO = 1.005
 _WHOLE = 359.0  # degrees: an angle with at least this range goes round
@@ -168,7 +171,8 @@ _WHOLE = 359.0  # degrees: an angle with at least this range goes round
 class Series:
     """One quantity of a row over the cycle, an angle without jumps; NaN where there is none.
 
-    One of a point has a symbol that names it, and is not ``titled`` with the name of the row.
+    One of a point has a symbol that names it, and is not ``titled`` with the name of the row.  Its
+    ``extremes``, the least and the greatest value, mostly lie between two of its ``values``.
     """
 
     row: str
@@ -176,6 +180,7 @@ class Series:
     unit: str
     values: Reals
     titled: bool = True
+    extremes: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -275,20 +280,61 @@ def cycle_of(turn: Turn, later: float) -> Cycle:
     rolls = pair_of(motion, turn.centrode)[0] if turn.centrode else driver
     if point:
         tracks = {name: point.tracks(name, each) for name, each in tracks.items()}
-    curves = {
-        name: (_curve_of_point(scene, name, point) if point else None)
-        or _curve(scene, name, DIAGRAMS[name].curve_row(scene))
-        or _curve(scene, name, rolls)
-        or _curve(scene, name, driver)
-        for name in panels
-    }
+
+    def measured(scene: AnyScene, name: str) -> Series | None:
+        return (
+            (_curve_of_point(scene, name, point) if point else None)
+            or _curve(scene, name, DIAGRAMS[name].curve_row(scene))
+            or _curve(scene, name, rolls)
+            or _curve(scene, name, driver)
+        )
+
+    curves = {name: measured(scene, name) for name in panels}
     place = _curve(scene, POSITION.panel, driver)
     assert place is not None
     back = _quick_return(np.broadcast_to(rate, _SHARES.shape)) if course.swing is None else None
     back = None if point else back
-    known = {name: curve for name, curve in curves.items() if curve}
+    known = _with_extremes(turn, {name: curve for name, curve in curves.items() if curve}, measured)
     work = _work(turn, scene, known["drive"].values) if "drive" in known else None
     return Cycle(_SHARES, driver, output, place, known, tracks, back, work, point)
+
+
+def _with_extremes(
+    turn: Turn,
+    curves: Mapping[str, Series],
+    measured: Callable[[AnyScene, str], Series | None],
+) -> dict[str, Series]:
+    """Return curves with their least and greatest values, which are sought between their samples.
+
+    About each of both the cycle is solved anew, closer and closer.
+    """
+    ends = [(name, sign) for name in curves for sign in (-1.0, 1.0)]
+    best = {}
+    for name, sign in ends:
+        values = sign * curves[name].values
+        if np.isfinite(values).any():
+            number = int(np.nanargmax(values))
+            best[name, sign] = float(_SHARES[number]), float(values[number])
+    half = 1.0 / SAMPLES
+    for _ in range(CLOSER if best else 0):
+        shares = np.clip(np.concatenate([at + half * BETWEEN for at, _ in best.values()]), 0.0, 1.0)
+        scene = whole_turn(turn, shares=shares)
+        found = {name: measured(scene, name) for name in curves}
+        for place, (name, sign) in enumerate(best):
+            some = slice(place * len(BETWEEN), (place + 1) * len(BETWEEN))
+            series, (_, most) = found[name], best[name, sign]
+            values = sign * series.values[some] if series else np.array([])
+            if series and series.unit == "°":  # about as many whole turns as there
+                values = values + 360.0 * np.round((most - values) / 360.0)
+            if np.isfinite(values).any() and np.nanmax(values) > most:
+                number = int(np.nanargmax(values))
+                best[name, sign] = float(shares[some][number]), float(values[number])
+        half /= (len(BETWEEN) - 1) / 2
+    extremes = {
+        name: tuple(sign * best[name, sign][1] for sign in (-1.0, 1.0) if (name, sign) in best)
+        for name in curves
+    }
+    return {name: replace(curve, extremes=extremes[name]) for name, curve in curves.items()}
 
 
 def _curve_of_point(scene: AnyScene, panel: str, point: Followed) -> Series | None:
@@ -297,7 +343,8 @@ def _curve_of_point(scene: AnyScene, panel: str, point: Followed) -> Series | No
     if found is None:
         return None
     symbol, unit, values = found
-    return Series(point.row, symbol, unit, np.broadcast_to(values, _SHARES.shape), titled=False)
+    shape = np.shape(scene.motion.assembled)
+    return Series(point.row, symbol, unit, np.broadcast_to(values, shape), titled=False)
 
 
 def _rate(motion: Motion, output: str) -> Any:
@@ -307,9 +354,12 @@ def _rate(motion: Motion, output: str) -> Any:
     return motion.link(output).omega if output in motion.links else 0.0
 
 
-def whole_turn(turn: Turn, later: Any = 0.0) -> AnyScene:
-    """Return the scene of all poses of a turn at once, each of them later by some phase."""
-    phases = turn.opening + _SHARES + later
+def whole_turn(turn: Turn, later: Any = 0.0, shares: Reals | None = None) -> AnyScene:
+    """Return the scene of all poses of a turn at once, each of them later by some phase.
+
+    They are those at some ``shares`` of the cycle if these are given.
+    """
+    phases = turn.opening + (_SHARES if shares is None else shares) + later
     inputs = [turn.course.inputs(phase) for phase in phases.tolist()]
     names = turn.course.names
     return turn.scene({name: np.array([each[name] for each in inputs]) for name in names})

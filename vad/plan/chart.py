@@ -91,9 +91,9 @@ class Dial:
 
     @property
     def known(self) -> list[float]:
-        """The values that are known."""
+        """The values that are known, the extreme ones too."""
         values = self.curve.values
-        return list(map(float, values[np.isfinite(values)])) or [0.0]
+        return [*map(float, values[np.isfinite(values)]), *self.curve.extremes] or [0.0]
 
 
 def dial(sheet: Sheet, curve: Series) -> Dial:

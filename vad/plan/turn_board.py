@@ -34,8 +34,8 @@ from vad.plan.sketch import Setting, Sketch
 from vad.plan.turn_layout import lay_out_turn
 from vad.plan.turn_lens import FADE
 from vad.plan.turn_panel import TurnPanel
-from vad.strokes.diagram import VELOCITY, Spot
-from vad.strokes.notation import Notation
+from vad.strokes.diagram import ACCELERATION, VELOCITY, Spot
+from vad.strokes.notation import Notation, typed_unit
 from vad.strokes.sheet import Panel, Sheet
 
 POSITIONS = 12
@@ -73,7 +73,7 @@ class TurnBoard:
         if turn.course.swing:  # then it has no one rate
             sheet = replace(sheet, driver=replace(sheet.driver, rate=0.0))
         else:
-            sheet = replace(sheet, parameters=(*_given_rate(sheet), *sheet.parameters))
+            sheet = replace(sheet, parameters=(*_given_rates(sheet), *sheet.parameters))
         self.sheet = sheet
         names = [panel.name for panel in sheet.panels]
         layout = lay_out_turn(self.form, names)
@@ -171,11 +171,19 @@ class TurnBoard:
         return [lines([moving.hodographs.stretch(pin, *cycle.back).tolist()], "return way")]
 
 
-def _given_rate(sheet: Sheet) -> list[tuple[str, float, str]]:
-    """Return the given ω as a parameter: on it depend all values of the curves."""
-    rows = (row for row in sheet.rows if row.key == sheet.driver.row)
-    cells = (cell for row in rows for cell in row.cells.get(VELOCITY.panel, ()))
-    return [(cell.symbol, cell.value, cell.unit) for cell in cells if cell.given]
+def _given_rates(sheet: Sheet) -> list[tuple[str, float, str]]:
+    """Return the given ω, and α if there is one, as parameters: all curves depend on them.
+
+    They are the same in every pose, and stand there as they were typed.
+    """
+    rows = [row for row in sheet.rows if row.key == sheet.driver.row]
+    cells = [cell for row in rows for cell in row.cells.get(VELOCITY.panel, ())]
+    more = [cell for row in rows for cell in row.cells.get(ACCELERATION.panel, ()) if cell.value]
+    found = []
+    for cell in (each for each in (*cells, *more) if each.given):
+        factor, unit = typed_unit(cell.value, cell.unit)
+        found.append((cell.symbol, factor * cell.value, unit))
+    return found
 
 
 class NumberedTurn(TurnBoard):
