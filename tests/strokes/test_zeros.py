@@ -175,3 +175,28 @@ def test_a_caption_says_that_a_vector_is_too_short_to_be_seen() -> None:
 def test_the_caption_of_the_pole_says_that_a_driven_slide_has_no_acceleration(motion, end) -> None:
     (panel,) = vad.draw(motion, panels=("acceleration",)).panels
     assert panel.strokes[0].caption.endswith(end)
+
+
+@pytest.mark.parametrize(
+    ("name", "inputs", "said"),
+    [
+        (
+            "scissor-lift",
+            {},
+            {"QC": "ω₆ is zero, there is no Coriolis", "DQ": "ω₆ is zero, there is no norm"},
+        ),
+        ("slider-crank", {"angle": 90.0}, {"BC": "ω₃ is zero, there is no normal"}),
+        ("crank-slotted-lever", {"angle": 90.0}, {"QB": "v is zero, there is no Coriolis"}),
+        ("four-bar", {}, {}),
+    ],
+)
+def test_a_line_says_why_no_normal_or_coriolis_component_comes_before_it(
+    name: str, inputs: dict[str, float], said: dict[str, str]
+) -> None:
+    kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
+    panel = vad.draw(vad.solve(kind(), **inputs)).panel("acceleration")
+    lines = {s.part.of: s.caption for s in panel.strokes if s.part.which == "line"}
+    assert said.keys() == {of for of, caption in lines.items() if caption.startswith("As ")}
+    for of, why in said.items():
+        assert lines[of].startswith(f"As {why}")
+        assert f"{of}.{'coriolis' if 'Coriolis' in why else 'normal'}" in zeros(panel)

@@ -70,7 +70,7 @@ def _of_point(sheet: Sheet) -> Sentence | None:
         if panel is None or not sheet.output or not rate:
             break
         parts: dict[str, SentencePart] = {
-            "symbol": symbol,
+            "symbol": f"{symbol}_{sheet.output}",
             "rate": Figure(abs(rate), panel.unit),
             "unit": Unit(panel.unit),
             "way": Figure(bearing(rate) % 360.0, "°"),

@@ -14,7 +14,7 @@ from vad.strokes.loops import StepVector
 from vad.strokes.notation import typed_unit
 from vad.strokes.scene import Scene, image_letter, point_of
 from vad.strokes.sentences import CaptionedMotion, Listed, Noun, Sentence, SentencePart, Unit
-from vad.strokes.vector_equations import Part, V
+from vad.strokes.vector_equations import NOTHING, Part, V
 
 #: The unit of the number of turns in a time, and the mark of a vertex that is found in two ways.
 RPM, DOUBLE_PRIME = "rpm", "″"
@@ -48,6 +48,10 @@ class PolygonCaptions(ABC, Generic[V]):
     def is_zero(self, part: Part[V]) -> bool:
         """Tell whether a component of length zero means that the quantity it measures is zero."""
         return True
+
+    def without(self, part: Part[V], said: Sentence) -> Sentence:
+        """Say before what is said of a line that a known component before it is zero."""
+        return said
 
     def still(self) -> Sentence:
         """Say that nothing moves."""
@@ -236,6 +240,19 @@ class Captions(PolygonCaptions[StepVector]):
             alpha=scene.members.symbol("α", step.link),
             meeting=meeting,
         )
+
+    def without(self, part: Part[StepVector], said: Sentence) -> Sentence:
+        """Say before what is said of a line why a normal or Coriolis component is zero."""
+        scene, step = self._scene, part.of.step
+        if part.name not in ("normal", "coriolis"):
+            return said
+        link = step.link if isinstance(step, Bar) else str(step.along)
+        rates = [abs(rate) for rate in scene.orders(1)[-1].turning.values()]
+        turns = abs(scene.rate(link, 1)) > NOTHING * max(rates)
+        zero = scene.members.symbol("ω", link)
+        if turns and isinstance(step, Slide):
+            zero = scene.members.rate_symbol(step.name, ORDERS[1])
+        return self.say(f"without {part.name}", zero=zero, said=said)
 
     def across(self, tail: str, head: str) -> Sentence:
         """Say that a further point of a link moves perpendicular to its line to a known point."""

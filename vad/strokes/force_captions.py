@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from vad.strokes.arithmetic import Figure, hypotenuse, product
 from vad.strokes.diagram import ACCELERATION
 from vad.strokes.force_names import ForceNames
+from vad.strokes.player import PencilCaptions
 from vad.strokes.sentences import Sentence, SentencePart, Unit
 from vad.strokes.vector_equations import NOTHING, Part
 from vad.units import metres_of
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 NEWTON, KILOGRAM_METRE = "N", "kg m²"
 
 
-class ForceCaptions:
+class ForceCaptions(PencilCaptions["Force"]):
     """The captions of force polygons: see `vad.strokes.player.PencilCaptions`."""
 
     def __init__(self, scene: Any, names: ForceNames) -> None:

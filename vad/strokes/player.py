@@ -39,6 +39,10 @@ class PencilCaptions(Protocol[V]):
     def line(self, part: Part[V], point: str, meeting: str) -> Sentence:
         """Say why the next vertex must lie on a construction line."""
 
+    def without(self, part: Part[V], said: Sentence) -> Sentence:
+        """Say before what is said of a line that a known component before it is zero."""
+        return said
+
     def crossing(self, letter: str, pole: bool, zeros: list[tuple[Part[V], str]]) -> Sentence:
         """Say what lies where the two lines cross, and which results are zero there."""
 
@@ -100,6 +104,8 @@ class Pencil(Generic[V]):
         self.zeros: list[Stroke] = []
         self.vertices: dict[str, complex] = dict.fromkeys(fixed, 0j) if from_pole else {}
         self.inset: CoriolisInset | None = None
+        #: The known components of length zero.
+        self._gone: list[Part[V]] = []
 
     def shows(self, vector: complex) -> bool:
         """Tell whether a vector is long enough to be drawn."""
@@ -144,12 +150,16 @@ class Pencil(Generic[V]):
         """Record a component of length zero, which is not drawn, with the letters it would have."""
         arrow = _arrow(part, tip.full, tip.at, name, tip.at)
         self.leave_out(_stroke(kind, part, arrow))
+        if kind == "known":
+            self._gone.append(part)
 
     def line(self, part: Part[V], tip: Tip, end: str) -> None:
         """Draw the construction line of an unknown part, past the crossing at ``end``."""
         crossing = self.place(end)
         direction = facing(part.direction, crossing - tip.at)
         said = self.words.line(part, tip.name, end)
+        for gone in (each for each in self._gone if each.of is part.of):
+            said = self.words.without(gone, said)
         line = Line(tip.at, direction, crossing, part.square_to)
         own = StrokePart(part.of.name, "line")
         self.add(Stroke("construction", part.label, line, said, part.of.owner, part=own))

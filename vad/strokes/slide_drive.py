@@ -18,7 +18,7 @@ from vad.strokes.construct import construct
 from vad.strokes.diagram import VELOCITY, Drawing
 from vad.strokes.force_captions import NEWTON, ForceCaptions
 from vad.strokes.forces import bare
-from vad.strokes.player import Pencil, Player
+from vad.strokes.player import Pencil, PencilCaptions, Player
 from vad.strokes.power import check_by_power
 from vad.strokes.sentences import Listed, Sentence, SentencePart, Text, Unit
 from vad.strokes.sheet import (
@@ -72,7 +72,7 @@ class SlideForce(Vector):
     direction: complex = 0j
 
 
-class _Captions:
+class _Captions(PencilCaptions[SlideForce]):
     """The captions of the polygon: see `vad.strokes.player.PencilCaptions`."""
 
     def __init__(self, scene: Scene, names: ForceNames) -> None:

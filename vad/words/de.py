@@ -216,6 +216,8 @@ PHRASES = {
     "along acceleration": (
         "∥ {line} durch {point}, Richtung der Gleitbeschleunigung: {meeting} liegt darauf."
     ),
+    "without normal": "Wegen {zero} = 0 gibt es keine Normalkomponente. {said}",
+    "without coriolis": "Wegen {zero} = 0 gibt es keine Coriolisbeschleunigung. {said}",
     "crossing": "{letter} ist der Schnittpunkt der Geraden.",
     "crossing zero": "{letter} ist der Schnittpunkt der Geraden: {found}.",
     "lines and crossing": "{one}; {other}. {crossing}",
@@ -285,7 +287,7 @@ PHRASES = {
     "answer measures": "{place} hat {name:der} {of} {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place} steht {name:der} {of} für einen Augenblick still.",
     "answer point": "{place} gilt für {of}: {rates} von *x* aus.",
-    "answer point rate": "*{symbol}* = {rate} {unit} bei {way}°",
+    "answer point rate": "{symbol} = {rate} {unit} bei {way}°",
     "answer shifts": (
         "{place} bewegt sich {name:der} {of} {way} mit {rate} {unit}, ohne sich zu drehen."
     ),

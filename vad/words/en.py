@@ -225,6 +225,8 @@ PHRASES = {
         "∥ {line} through {point}: the sliding acceleration has this direction, so {meeting} lies "
         "on it."
     ),
+    "without normal": "As {zero} is zero, there is no normal component. {said}",
+    "without coriolis": "As {zero} is zero, there is no Coriolis component. {said}",
     "crossing": "{letter} is where both lines cross.",
     "crossing zero": "{letter} is where both lines cross: {found}.",
     "lines and crossing": "{one}; {other}. {crossing}",
@@ -294,7 +296,7 @@ PHRASES = {
     "answer measures": "{place} the {name} {of} has {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place} the {name} {of} stands still for an instant.",
     "answer point": "{place} point {of} has {rates} from *x*.",
-    "answer point rate": "*{symbol}* = {rate} {unit} at {way}°",
+    "answer point rate": "{symbol} = {rate} {unit} at {way}°",
     "answer shifts": "{place} the {name} {of} moves {way} at {rate} {unit} without turning.",
     "answer pushes": (
         "{place} the drive must push the ends of {of} apart with {symbol} = {value} {unit}."

@@ -229,6 +229,8 @@ PHRASES = {
         "Par {point}, la parallèle {line:au}, direction de l’accélération de glissement : "
         "{meeting} s’y trouve."
     ),
+    "without normal": "Comme {zero} est nulle, il n’y a pas de composante normale. {said}",
+    "without coriolis": "Comme {zero} est nulle, il n’y a pas d’accélération de Coriolis. {said}",
     "crossing": "{letter} est à l’intersection des deux droites.",
     "crossing zero": "{letter} est à l’intersection des deux droites : {found}.",
     "lines and crossing": "{one} ; {other}. {crossing}",
@@ -301,7 +303,7 @@ PHRASES = {
     "answer measures": "{place}, {name:le} {of} a {symbol} = {rate} {unit}{trend}.",
     "answer rests": "{place}, {name:le} {of} est immobile un instant.",
     "answer point": "{place}, le point {of} a {rates} de *x*.",
-    "answer point rate": "*{symbol}* = {rate} {unit} à {way}°",
+    "answer point rate": "{symbol} = {rate} {unit} à {way}°",
     "answer shifts": "{place}, {name:le} {of} se déplace {way} à {rate} {unit} sans tourner.",
     "answer pushes": (
         "{place}, le moteur doit écarter les extrémités de {of} avec {symbol} = {value} {unit}."
