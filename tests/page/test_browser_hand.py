@@ -325,6 +325,33 @@ def test_the_links_stop_where_they_part(browser: Browser, tmp_path: Path) -> Non
         assert bars[2] == "200\u202f000\u00a0mm/s²"
 
 
+@pytest.mark.parametrize(("length", "place"), [(250, 347.75), (130, 300.0), (130, 60.0)])
+def test_a_lesson_stands_in_any_stretch(
+    browser: Browser, tmp_path: Path, length: float, place: float
+) -> None:
+    """One that runs through 0° begins below it, and another one is not the first."""
+    with opened(browser, viewport={"width": 1280, "height": 720}) as page:
+        show(page, tmp_path, written(vad.FourBar(crank=length), angle=place))
+        press(page, "End", "h")
+        expect(page.locator(".said p")).to_have_text("You turn the crank.")
+        press(page, "ArrowRight")
+        assert angle(page) == place + 1.0
+        page.evaluate(
+            """() => { window.seen = [];
+              vad.addEventListener('pose', ({ angle }) => seen.push(angle)); }"""
+        )
+        press(page, "Escape")
+        expect(page.locator(".vad")).not_to_have_class(re.compile("turned"))
+        assert all(place <= each <= place + 1.0 for each in page.evaluate("seen"))
+
+
+def test_a_turn_begins_and_ends_at_0(page: Page) -> None:
+    for end in (0.0, 360.0):
+        page.evaluate("(angle) => void vad.pose({ angle })", end)
+        assert angle(page) == 0.0
+        assert page.locator(".results .cell").first.text_content().endswith("= 0°")
+
+
 _COVERED = """() => {
   const { top } = document.querySelector(".control").getBoundingClientRect();
   return [...document.querySelectorAll(".foot p")].map((each) => each.getBoundingClientRect())

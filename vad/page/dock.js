@@ -230,7 +230,7 @@ function docked(root, body, player) {
 
   // What is driven glides to the lesson's pose, the shorter way.
   function glide(then) {
-    const from = body.assembled(0), to = data.start;
+    const from = body.assembled(0), to = body.bounded ? data.start.with(0, body.home().at) : data.start;
     let turn = to[0] - from[0];
     if (turns && !body.bounded) turn -= 360 * Math.round(turn / 360);
     const begun = performance.now(), still = calm.matches || from.every((value, i) => value === to[i]);

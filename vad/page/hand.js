@@ -50,11 +50,20 @@ function driven(root, solve, data) {
   const full = (range) => turns && range[1] - range[0] >= 360;
   const span = data.ranges.length ? data.ranges.at(-1)[1] - data.ranges[0][0] : 1;
   const ends = turns ? [0, 360] : [data.ranges[0][0] - span, data.ranges.at(-1)[1] + span];
-  let ranges = trimmedTo(closes, data.ranges), range = ranges[0], known = key(data.start), wanted = 0;
+  const own = trimmedTo(closes, data.ranges);
+  const begun = home();
+  let ranges = own, { range } = begun, known = key(data.start);
+  if (!full(range)) state[0] = begun.at;
+  let wanted = state[0];
 
   function closes(place) {
     solve(place, ...state.slice(1), out, 0);
     return data.closes.every((at) => out[at] - out[at] === 0);
+  }
+
+  // The stretch of the lesson's pose, and its place there: that of a turn may be a turn from it.
+  function home() {
+    return placed(own, data.start[0], turns) ?? { range: own[0], at: data.start[0] };
   }
 
   // Whether the program is right for these dimensions.
@@ -185,7 +194,7 @@ function driven(root, solve, data) {
   const within = (degrees) => (degrees % 360 + (degrees % 360 < 0 ? 360 : 0));
 
   return {
-    data, turns, ends, state, out, view, solve, closes, holds, refused, set, move, show, arrange, key, among, assembly, assembled, beyond, parting,
+    data, turns, ends, state, out, view, home, solve, closes, holds, refused, set, move, show, arrange, key, among, assembly, assembled, beyond, parting,
     on: (listener) => listeners.push(listener),
     reads: (reader) => readers.push(reader),
     said: () => { view.settle(); say.now(); },

@@ -48,9 +48,12 @@ function outside(root, body, dock, player) {
 
   const exists = (all) => all.every((at) => own[at] - own[at] === 0);
 
+  // The place of the driver, as it was asked for or as the page shows it.
+  const degree = turns ? "°" : ` ${data.units[0]}`, said = ([place]) => `${place === state[0] ? body.place : place}${degree}`;
+
   // Where the links close, in words, and a place near by that does.
   function unclosed(values) {
-    const [name] = names, degree = turns ? "°" : ` ${data.units[0]}`, place = `${values[0]}${degree}`;
+    const [name] = names, place = said(values);
     const closes = (at) => { body.solve(at, ...values.slice(1), own, 0); return exists(data.closes); };
     const same = body.key(values) === body.key(data.start);
     const ranges = same ? data.ranges : stretches(closes, ...body.ends, turns);
@@ -73,7 +76,7 @@ function outside(root, body, dock, player) {
     body.solve(...values, own, 2);
     if (!exists(data.closes)) return unclosed(values);
     if (!body.holds(values)) return wrong(words.unheld);
-    if (!exists(data.rates)) return wrong(filled(words.dead, { place: `${values[0]}${turns ? "°" : ` ${data.units[0]}`}` }));
+    if (!exists(data.rates)) return wrong(filled(words.dead, { place: said(values) }));
     const { solved } = data, found = {};
     for (const [name, part] of Object.entries(solved))
       if (name === "input") found.input = Object.fromEntries(part.map((each, i) => [each, values[i]]));

@@ -38,7 +38,7 @@ function trimmedTo(closes, known) {
 function placed(ranges, place, turns) {
   let best = null;
   for (const range of ranges) {
-    const whole = turns ? 360 * Math.round(((range[0] + range[1]) / 2 - place) / 360) : 0;
+    const whole = turns ? -360 * Math.round((place - (range[0] + range[1]) / 2) / 360) : 0;
     for (const more of turns ? [whole, whole + 360, whole - 360] : [0]) {
       const at = clamp(place + more, ...range), off = Math.abs(at - place - more);
       if (!best || off < best.off) best = { range, at, off };
