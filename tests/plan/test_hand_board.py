@@ -18,6 +18,7 @@ from vad.mechanisms import Mechanism
 from vad.plan.format import screen
 from vad.plan.hand_board import HandBoard, hand_board
 from vad.plan.labels.named import NamedLabels
+from vad.plan.marks import Lettering
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch
@@ -175,3 +176,27 @@ def test_the_arrow_of_a_velocity_lies_on_no_link_in_any_pose() -> None:
         at = picture.scale(solved.point((driver, "at")))
         line = [at + plain(ends[0] + share * (ends[-1] - ends[0])) for share in (0.0, 0.5, 1.0)]
         assert drawn.free([complex(z) for z in line], 0.0, 0.0, 0.005).all()
+
+
+@pytest.mark.parametrize("name", ["gate-actuator", "tipper", "double-slider", "excavator-bucket"])
+def test_the_letter_of_a_velocity_stands_beside_its_arrow_in_every_pose(name: str) -> None:
+    """An actuator that stands upright has it at its side, one that lies has it above."""
+    board = board_of(name)
+    (item,) = (
+        item
+        for item in board.sketches["position"].items
+        if any(mark.role == "speed" for mark in item.marks)
+    )
+    arrow: Any = next(mark.shape for mark in item.marks if mark.role == "speed")
+    text: Any = next(mark.shape for mark in item.marks if isinstance(mark.shape, Lettering))
+    ends = [arrow.pieces[0][0], arrow.pieces[0][-1], text.at]
+    program = board.traced.program([part for z in ends for part in (z.real, z.imag)])
+    low, high = closing_range(board.mechanism)[0]
+    places = np.linspace(low, high, 102)[1:-1]
+    given = [
+        places if number == 0 else np.full(places.size, float(value))
+        for number, value in enumerate(board.traced.inputs.values())
+    ]
+    columns = program.many(given, places.size)[len(board.traced.guards) :]
+    start, end, at = (columns[n] + 1j * columns[n + 1] for n in (0, 2, 4))
+    assert (np.abs(at - (start + end) / 2) * 720.0 < 40.0).all()

@@ -15,6 +15,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
+from vad.kinematics.numbers import minimum, not_below
 from vad.plan.geometry import Rect
 from vad.plan.items import ALWAYS, Span
 from vad.plan.labels.obstacles import PIXEL, Bools, Complexes, Obstacles, Reals
@@ -129,10 +130,10 @@ class Wish:
 
 def beside(at: complex, way: complex, gap: float, wide: float, high: float) -> complex:
     """Return the centre of a box whose edge lies ``gap`` from ``at`` in the direction ``way``."""
-    aside, above = abs(way.real), abs(way.imag)
-    across = wide / 2 / aside if aside > 1e-9 else math.inf
-    upright = high / 2 / above if above > 1e-9 else math.inf
-    return at + way * (gap + (across if across < upright else upright))
+    across = wide / 2 / not_below(1e-9, abs(way.real))
+    upright = high / 2 / not_below(1e-9, abs(way.imag))
+    centre: complex = at + way * (gap + minimum(across, upright))
+    return centre
 
 
 def beyond_circle(way: complex, radius: float, wide: float, high: float) -> complex:
