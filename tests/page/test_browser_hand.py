@@ -631,6 +631,21 @@ def test_dimensions_in_space_are_set_in_the_rail(browser: Browser, tmp_path: Pat
         assert page.evaluate("() => vad.state.ground_twist") == 60.0
 
 
+def test_guides_on_one_line_are_refused(browser: Browser, tmp_path: Path) -> None:
+    with opened(browser, reduced_motion="reduce") as page:
+        show(page, tmp_path, written(vad.DoubleSlider()))
+        for turn in (-90, 90, 270):
+            with pytest.raises(vad.VadError):
+                vad.solve(vad.DoubleSlider(guide_a=turn)).to_dict()
+            assert "error" in page.evaluate("turn => vad.solve({ guide_a: turn })", turn)
+        press(page, "End", "h")
+        box = page.locator("[name=guide_a]")
+        for typed, stands in (("90", (89.9, 90.0)), ("135", (135.0, 135.1))):
+            box.fill(typed)
+            box.press("Enter")
+            assert stands[0] <= page.evaluate("() => vad.state.guide_a") < stands[1]
+
+
 def test_a_page_without_sliders(browser: Browser, tmp_path: Path) -> None:
     vad.save(vad.animate(vad.draw(vad.solve(vad.FourBar()))), tmp_path / "a.html", no_sliders=True)
     with opened(browser) as page:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from vad.errors import InputError
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of, parallel
+from vad.kinematics.numbers import fold
 from vad.mechanisms.mechanism import Dimension, DrivenBySlide, angle, length
 
 
@@ -37,3 +38,9 @@ class DoubleSlider(DrivenBySlide):
             second=(Slide("OB", "slider_b", self.guide_b),),
         )
         return Linkage(length_of("slider_a"), (loop,), pivot="O")
+
+    def axes_apart(self) -> bool:
+        """Tell whether the guides are two lines, which may be traced."""
+        between = abs(fold(self.guide_b - self.guide_a))
+        apart: bool = (between > 0.0) & (between < 180.0)
+        return apart
