@@ -45,6 +45,7 @@ def test_every_number_of_the_table_that_changes_follows(name: str) -> None:
         ("shaper", "BAF", "°", None),
         ("gate-actuator", "arm", "ft", None),
         ("pantograph", "ratio", "", None),
+        ("hoeken", "a", "mm", (18.0, 45.0)),  # a number of a file that is a length everywhere
     ],
 )
 def test_a_dimension_has_the_unit_of_its_quantity(

@@ -19,9 +19,13 @@ _ANGLES, _POSITIVE = ("angle", "direction"), ("mass", "inertia", "friction")
 
 
 def _quantity(known: Mapping[str, Any], name: str) -> str:
-    """Return what a dimension measures; one that is no parameter is that of a point on a link."""
+    """Return what a dimension measures; one that is no parameter is that of a point on a link.
+
+    A number of a file is a length where all that is made of it are lengths.
+    """
     if name in known:
-        quantity: str = known[name]["quantity"]
+        metadata = known[name]
+        quantity: str = metadata.get("measures", metadata["quantity"])
         return quantity
     return "angle" if name.endswith(".angle") else "length"
 
