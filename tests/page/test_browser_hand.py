@@ -477,6 +477,17 @@ def test_dimensions_are_set_in_the_rail(page: Page) -> None:
     assert page.evaluate("() => vad.state.crank") == 40
 
 
+def test_the_line_beside_the_title_has_what_is_no_longer_usual(page: Page) -> None:
+    line = page.locator("header p")
+    before = line.text_content()
+    page.evaluate("() => void vad.pose({ ground_angle: -20.5, rocker: 75 })")
+    now = f"{before}, ground angle from x −20.5°".replace("80", "75").replace(" ", "\u00a0")
+    assert line.text_content().replace(" ", "\u00a0") == now
+    assert page.evaluate("() => document.documentElement.scrollHeight <= innerHeight")
+    press(page, "Escape")
+    assert line.text_content() == before
+
+
 def test_the_ring_and_the_ground_follow_a_new_scale(browser: Browser, tmp_path: Path) -> None:
     with opened(browser) as page:
         show(page, tmp_path, page_of("elliptical-trammel"))
@@ -653,6 +664,7 @@ def test_a_page_without_sliders(browser: Browser, tmp_path: Path) -> None:
         press(page, "End", "h")
         assert page.locator(".size").count() == 0
         assert page.evaluate("() => vad.pose({ crank: 30 }).crank") == 30
+        expect(page.locator("header p")).to_have_text(re.compile("crank\u00a030\u00a0mm"))
 
 
 def test_the_crank_glides_back_the_shorter_way(browser: Browser, tmp_path: Path) -> None:

@@ -105,9 +105,10 @@ function railed(root, body, dock) {
     const own = Math.abs(data.start[i + 1]), speed = Math.abs(data.start[1]);
     return 2 * (own || (i && body.turns ? speed ** 2 / 2 : speed) || 10);
   });
+  const motion = rates.map((most, i) => row(data.inputs[i + 1], data.symbols[i + 1], i + 1, [-most, most], data.units[i + 1]));
+  const sizes = data.dimensions.map(([name, , low, high, unit, index]) => row(name, (data.names ?? {})[name] ?? name, index, [low, high], unit));
   if (data.sliders) {
-    section(words.motion, ...rates.map((most, i) => row(data.inputs[i + 1], data.symbols[i + 1], i + 1, [-most, most], data.units[i + 1])));
-    const sizes = data.dimensions.map(([name, , low, high, unit, index]) => row(name, (data.names ?? {})[name] ?? name, index, [low, high], unit));
+    section(words.motion, ...motion);
     const first = sizes.length > SOME ? FOLDED : sizes.length;
     if (sizes.length) {
       const made = section(words.dimensions, ...sizes.slice(0, first));
@@ -154,19 +155,27 @@ function railed(root, body, dock) {
   }
   showing(words.names, true, (on) => root.classList.toggle("unlettered", !on));
 
-  // The line beside the title has the dimensions of now.
+  // The line beside the title has the dimensions of now, and those that it left out as usual once they
+  // are others.
   const called = ({ name }) => `${(data.names ?? {})[name] ?? name} `.replaceAll(" ", "\u00a0");
   const valued = ({ index, step, unit }) => `${written(tidy(state[index], step))}${unit && unit !== "°" ? "\u00a0" : ""}${unit}`;
+  const changed = ({ index }) => dock.held && state[index] !== data.start[index];
+  const listed = items.map(([span, text]) => {
+    const rest = (each) => text.replaceAll(" ", "\u00a0").split(called(each));
+    const own = rows.find((each) => each.index >= data.own.length && !rest(each)[0] && /^[−\d]/.test(rest(each)[1]));
+    return [span, text, own ? [own, ...rows.filter(({ name }) => text.includes("∠") && name === `${own.name}_twist`)] : []];
+  });
+  const left = rows.filter((each) => each.index >= data.own.length && !listed.some(([, , both]) => both.includes(each)));
+  const more = element("span", {});
+  items.at(-1)?.[0].after(more);
   function follow() {
     for (const each of [...rows, ...choices]) each.show();
-    for (const [span, text] of items) {
-      const rest = (each) => text.replaceAll(" ", "\u00a0").split(called(each));
-      const own = rows.find((each) => each.index >= data.own.length && !rest(each)[0] && /^[−\d]/.test(rest(each)[1]));
-      const both = own ? [own, ...rows.filter(({ name }) => text.includes("∠") && name === `${own.name}_twist`)] : [];
-      if (dock.held && both.some(({ index }) => state[index] !== data.start[index]))
-        span.textContent = called(own) + both.map(valued).join(" ∠ ");
-      else if (span.textContent !== text) span.textContent = text;
+    for (const [span, text, both] of listed) {
+      const says = both.some(changed) ? called(both[0]) + both.map(valued).join(" ∠ ") : text;
+      if (span.textContent !== says) span.textContent = says;
     }
+    const says = left.filter(changed).map((each) => `, ${called(each)}${valued(each)}`).join("");
+    if (more.textContent !== says) more.textContent = says;
   }
 
   dock.on(follow);
