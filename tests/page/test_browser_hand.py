@@ -142,6 +142,20 @@ def test_only_what_is_drawn_is_shown_until_all_is_asked_for(page: Page) -> None:
     assert at(page) == STEP
 
 
+def test_names_of_views_and_bars_come_with_what_is_drawn(browser: Browser, tmp_path: Path) -> None:
+    seen = """() => [...document.querySelectorAll('.hand text')]
+      .filter((each) => each.getBoundingClientRect().width).map((each) => each.textContent)"""
+    with opened(browser, reduced_motion="reduce") as page:
+        show(page, tmp_path, page_of("spatial-four-bar"), "#step=position:14")
+        press(page, "h")
+        found = page.evaluate(seen)
+        assert "along A" in found and "along D" not in found
+        assert not any("mm/s" in each for each in found)
+        page.locator("[data-do=all]").click()
+        found = page.evaluate(seen)
+        assert "along D" in found and sum("mm/s" in each for each in found) == 2
+
+
 def test_a_hand_that_takes_the_whole_page_sees_no_panel_larger_than_another(page: Page) -> None:
     press(page, "Home", "h")
     expect(page.locator(".vad")).to_have_class(re.compile("turned"))

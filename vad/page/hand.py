@@ -154,7 +154,8 @@ def hand(
             if large:
                 polygons[-1]["large"] = polygon.placed(large[half.column].sketches[half.name])
             if half.name != half.column:
-                layers[half.column] += polygon.lower_bar(halves.index(half.name), inker)
+                since = begun.of(half.name, half.strokes[0].name)
+                layers[half.column] += polygon.lower_bar(halves.index(half.name), inker, since)
                 boxes.append([halves.index(half.name), *_box(polygon.bar_box, outputs)])
     polygons.sort(key=lambda polygon: polygon["mechanism"])
     labels, nears = [], dict[tuple[tuple[float, ...], bool], int]()

@@ -74,10 +74,10 @@ class Scaled:
             "at": [round(start.real, 5), round(start.imag, 5)],
         }
 
-    def lower_bar(self, number: int, inker: Inker) -> str:
-        """Return the elements of the bar of a polygon below another."""
+    def lower_bar(self, number: int, inker: Inker, since: str) -> str:
+        """Return the elements of the bar of a polygon below another, seen as an attribute says."""
         text, bar, _ = bar_marks(0.1, roman("0"), self._start(self._room))
-        return f'<g data-bar="{number}">{inker.mark(text)}{inker.mark(bar)}</g>'
+        return f'<g data-bar="{number}"{since}>{inker.mark(text)}{inker.mark(bar)}</g>'
 
     @property
     def bar_box(self) -> Rect:

@@ -372,16 +372,19 @@ def add_notes(sketch: Sketch, before: Sequence[Aside] = ()) -> list[Aside]:
 
     They stay as they were ``before``.
     """
-    setting, asides = sketch.setting, list(before)
-    for number, note in enumerate(setting.panel.notes):
+    setting, panel, asides = sketch.setting, sketch.setting.panel, list(before)
+    for number, note in enumerate(panel.notes):
         best = sketch.scale(note.at)
         if not before:
             asides.append(_aside(sketch.obstacles, best, note))
             sketch.astray = max(sketch.astray, asides[number].stray)
         rows, wide, high = _set(note, asides[number].widest)
         centre = best + asides[number].off
-        since = setting.during(setting.panel.find(note.comes) or 0)
-        sketch.add(None, Level.LABEL, since, on_page(_rows(rows, centre)))
+        since = 0 if sketch.finished else setting.during(panel.find(note.comes) or 0)
+        # Of what stands still a hand learns by the stroke's name when it comes.
+        stroke = panel.full(note.comes) if sketch.finished and note.comes else ""
+        marks = tuple(on_page(_rows(rows, centre)))
+        sketch.items.append(Item(stroke, panel.column, Level.LABEL, marks, since))
         box = Placed(centre, wide, high).box
         sketch.tags.append(Tag(note.text, box))
         sketch.obstacles.box(box)
