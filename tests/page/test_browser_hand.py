@@ -293,6 +293,17 @@ def test_the_region_speaks_when_the_hand_rests(page: Page) -> None:
     until(page, lambda: "61.0°" in page.locator("[role=status]").inner_text(), 3)
 
 
+def test_a_finished_polygon_is_described(page: Page) -> None:
+    """By its letters, without those that go with a part of no length."""
+    label = page.locator(".drawing svg").nth(2)
+    press(page, "End")
+    page.evaluate("() => void vad.pose({ angle: 60, alpha: 0 })")
+    wanted = "Acceleration: a prime, d prime is the pole; b prime 4000\u00a0mm/s² at 240.0°; c n "
+    expect(label).to_have_attribute("aria-label", re.compile(f"^{wanted}"))
+    page.evaluate("() => void vad.pose({ alpha: 30 })")
+    expect(label).to_have_attribute("aria-label", re.compile("b prime n 4000"))
+
+
 def test_the_links_stop_where_they_part(browser: Browser, tmp_path: Path) -> None:
     html = written(LIMITED, angle=60.0)
     with opened(browser, viewport={"width": 1280, "height": 720}, reduced_motion="reduce") as page:

@@ -9,9 +9,11 @@ function described(root, body, player) {
 
   function sentence({ half, input, bar }) {
     const [x, y, factor] = state.slice(input, input + 3), found = [];
-    data.labels.forEach(([own, dot, , , [p, q]], n) => {
+    data.labels.forEach(([own, dot, , , [p, q], , , apart], n) => {
       const u = (out[p] - x) / factor, v = (out[q] - y) / factor;
-      if (own === half && dot && u - u === 0 && v - v === 0) found.push([data.spelled[n], Math.hypot(u, v), Math.atan2(v, u)]);
+      // A letter goes with its part: see labels.js.
+      const gone = apart.some((at, k) => k % 2 === 0 && !(Math.hypot(out[at] - out[p], out[apart[k + 1]] - out[q]) > VANISHES));
+      if (own === half && dot && !gone && u - u === 0 && v - v === 0) found.push([data.spelled[n], Math.hypot(u, v), Math.atan2(v, u)]);
     });
     const least = 1e-9 * Math.max(...found.map(([, size]) => size)), pole = found.filter(([, size]) => size <= least);
     return [filled(words.pole, { name: pole.map(([name]) => name).join(", ") }),

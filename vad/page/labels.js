@@ -8,7 +8,7 @@
 
 const APART = 0.006, BESIDE = 0.02, CLEAR = 0.006, TIGHT = 0.001, LEADING = 0.046, BETWEEN = 0.02, IN_ROW = 4;
 const STEP = 10 / 720, JUMP = 11 / 720, JOINED = 12 / 720, PARTED = 15 / 720, PLACES = 40, OWN = 1.06, SELDOM = 4, REACH = 0.2;
-const THIN = 0.002;
+const THIN = 0.002, VANISHES = 1e-6;
 const SVG = "http://www.w3.org/2000/svg";
 
 function labels(texts, data, out, counts) {
@@ -238,7 +238,7 @@ function labels(texts, data, out, counts) {
       each.v = out[each.at[1]];
       each.there = !each.shell.classList.contains("off") && each.u - each.u === 0 && each.v - each.v === 0;
       for (let n = 0; n < each.apart.length; n += 2)
-        if (!(Math.hypot(out[each.apart[n]] - each.u, out[each.apart[n + 1]] - each.v) > 1e-6)) each.there = false;
+        if (!(Math.hypot(out[each.apart[n]] - each.u, out[each.apart[n + 1]] - each.v) > VANISHES)) each.there = false;
       if (each.there) found.push(each);
       if (each.there && each.dot) columns[each.column].dots.push(each);
     }
