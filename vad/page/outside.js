@@ -116,13 +116,14 @@ function outside(root, body, dock, player) {
   // ---- the page around this one ----
 
   let due = 0, last = "", height = 0;
-  const board = root.querySelector(".board"), control = root.querySelector(".control");
+  const [board, control, panels] = [".board", ".control", ".panels"].map((each) => root.querySelector(each));
 
   // How high a frame should be, so that the board is as wide as it: what is above the dock grows with
-  // the board. Where the rail stands beside the board, the frame is so high that it stays there. A
-  // pixel more or less is none.
+  // the board, but for what panels in a lesson take of a higher frame. Where the rail stands beside the
+  // board, the frame is so high that it stays there. A pixel more or less is none.
   function wanted() {
-    const dock = control.offsetHeight, spare = parseFloat(getComputedStyle(control).marginTop) || 0;
+    const dock = control.offsetHeight, taken = panels.offsetHeight - parseFloat(getComputedStyle(panels).flexBasis);
+    const spare = (parseFloat(getComputedStyle(control).marginTop) || 0) + Math.max(0, taken || 0);
     const wide = board.offsetWidth + 2 * board.offsetLeft, above = board.offsetHeight - dock - spare;
     const found = Math.max(dock + above * wide / board.offsetWidth, innerWidth >= 64 * REM ? 35 * REM : 0);
     return Math.abs(found - height) < 3 ? height : Math.ceil(found);
