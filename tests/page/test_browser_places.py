@@ -59,6 +59,22 @@ def test_the_most_of_words_fit_the_least_of_windows(browser: Browser, tmp_path: 
     assert len(PdfReader(tmp_path / "a.pdf").pages) == 2
 
 
+def test_all_of_the_dock_is_in_it(browser: Browser, tmp_path: Path) -> None:
+    """Of the lesson and of the hand: between a phone and a page with three panels, too."""
+    past = """() => Math.max(
+      ...[...document.querySelectorAll('.buttons > *, .said > *, .caption > *')]
+        .map((each) => each.getBoundingClientRect().right)
+      ) - document.querySelector('.control').getBoundingClientRect().right"""
+    for code in ("en", "de", "fr"):
+        with opened(browser, reduced_motion="reduce") as page:
+            show(page, tmp_path, page_of("four-bar", code), "#step=14")
+            for mode in ("lesson", "hand"):
+                for width in (320, 390, 480, 540, 620, 640, 768, 1024):
+                    page.set_viewport_size({"width": width, "height": 700})
+                    assert page.evaluate(past) <= 0, (code, mode, width)
+                press(page, "h")
+
+
 def test_on_a_phone_the_panel_in_hand_is_in_sight(lesson: Page) -> None:
     lesson.set_viewport_size({"width": 390, "height": 844})
     for digit, panel in zip("321", (2, 1, 0), strict=True):

@@ -58,6 +58,45 @@ def test_numbers_stay_in_their_columns(name: str, browser: Browser, tmp_path: Pa
         assert past < 1.0
 
 
+#: How far cells are past the table, and how large their letters are at least, beside its own.
+_PAST = """() => {
+  const table = document.querySelector(".results"), { right } = table.getBoundingClientRect();
+  const size = (each) => parseFloat(getComputedStyle(each).fontSize);
+  const cells = [...table.querySelectorAll(".cell")].filter((each) => each.offsetWidth);
+  return [Math.max(...cells.map((each) => each.getBoundingClientRect().right)) - right,
+    Math.min(...cells.map(size)) / size(table)];
+}"""
+
+
+@pytest.mark.exhaustive(3)
+@pytest.mark.parametrize("name", ["spatial-four-bar", "hooke-joint", "whitworth"])
+def test_numbers_of_a_narrow_page_stand_below_one_another_rather_than_past_it(
+    name: str, browser: Browser, tmp_path: Path
+) -> None:
+    with opened(browser, reduced_motion="reduce") as page:
+        opened_hand(page, tmp_path, name)
+        for width, height in ((640, 360), (500, 700), (844, 390), (390, 844), (320, 568)):
+            page.set_viewport_size({"width": width, "height": height})
+            for key in ("Escape", "h"):
+                press(page, key)
+                painted(page)
+                past, letters = page.evaluate(_PAST)
+                assert past < 1.0 and letters == 1.0, (width, key)
+
+
+def test_the_rows_of_a_tablet_end_above_the_dock(browser: Browser, tmp_path: Path) -> None:
+    """Beside a large panel they are as high as their letters, whatever touches them."""
+    ends = """() => [".results table", ".control"].map(
+      (each) => document.querySelector(each).getBoundingClientRect())"""
+    size = {"width": 1024, "height": 768}
+    with opened(browser, viewport=size, has_touch=True, is_mobile=True) as page:
+        show(page, tmp_path, written(vad.load(example_path("jansen-leg"))()), "#step=30")
+        painted(page)
+        table, dock = page.evaluate(ends)
+        assert page.locator(".staged").count() == 1
+        assert table["bottom"] <= dock["top"]
+
+
 def test_rounding_noise_is_zero(browser: Browser, tmp_path: Path) -> None:
     with opened(browser, reduced_motion="reduce") as page:
         opened_hand(page, tmp_path, "scissor-lift")

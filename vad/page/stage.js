@@ -9,7 +9,7 @@
 const MOST_SMALL = .8, CROWD = 10;
 
 function staging(root, calm) {
-  const all = (selector) => [...root.querySelectorAll(selector)], roomy = matchMedia("screen and (min-width: 48rem)");
+  const all = (selector) => [...root.querySelectorAll(selector)], roomy = matchMedia("screen and (min-width: 48rem) and (min-height: 27.5rem)");
   let lesson, panels = [], views = [], panel = -1, large = -1, printed = false;
 
   // Where a place of a panel on the sheet stands in the window: a factor, and a shift right and down.
