@@ -760,6 +760,31 @@ def test_a_row_hides_its_vectors_and_a_key_enlarges_a_panel(page: Page) -> None:
     expect(page.locator(".panel:visible")).to_have_count(3)
 
 
+def test_an_enlarged_panel_keeps_its_scale_bar_right(page: Page) -> None:
+    """Wherever it is, it is larger than before; on a phone the table stands beneath it."""
+    found = """() => {
+      const { a } = document.querySelectorAll('.drawing svg')[2].getScreenCTM();
+      const [bar] = [...document.querySelectorAll('.panel:nth-child(3) .bar')]
+        .filter((each) => each.getBoundingClientRect().width);
+      return [a, bar.getBoundingClientRect().width / bar.style.getPropertyValue('--n'),
+        document.querySelector('.results').getBoundingClientRect().height];
+    }"""
+    for width, height in ((1280, 720), (640, 700), (640, 360), (844, 390), (390, 844)):
+        page.set_viewport_size({"width": width, "height": height})
+        press(page, "End")
+        for key in ("h", "Escape"):
+            painted(page)
+            usual, *_ = page.evaluate(found)
+            press(page, "z")
+            painted(page)
+            large, bar, table = page.evaluate(found)
+            assert large > 1.1 * usual, (width, height)
+            assert bar == pytest.approx(large, rel=0.002), (width, height)
+            assert (table > 0) == (width < 480)
+            assert page.evaluate("() => document.documentElement.scrollHeight <= innerHeight")
+            press(page, "z", key)
+
+
 def test_forced_colours_show_the_mode_and_the_handle(page: Page) -> None:
     page.emulate_media(forced_colors="active")
     press(page, "h")

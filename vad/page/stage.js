@@ -35,18 +35,18 @@ function staging(root, calm) {
 
   // Each panel shows a part of its picture: the large one all of its room, a thumbnail what is drawn on the
   // sheet, unless a hand may move that; but while it is dragged nothing shifts. Letters of thumbnails, and
-  // the large one's scale bar, follow.
+  // the scale bar of the large one or of one that stands alone, follow.
   function fit() {
     const u = parseFloat(root.style.getPropertyValue("--wide")) / 1280, held = root.matches(".turned:not(.gripped)");
     lesson.pictures.forEach((picture, i) => {
       const [view, factor, , , , ink] = lesson.large?.[i] ?? [], { clientWidth: width, clientHeight: height } = picture.parentNode;
-      if (!view) return;
-      const top = panels[i].querySelector(".top"), small = large >= 0 && i !== large;
+      const top = panels[i].querySelector(".top"), small = view && large >= 0 && i !== large;
       const [x, y, wide, high] = (i === large ? view : small && !held ? ink : views[i]).split(" ").map(Number);
       const size = Math.min(width / wide, height / high, small ? MOST_SMALL * u : Infinity);
       const across = small ? width / size : wide, up = small ? height / size : high;
       picture.setAttribute("viewBox", large < 0 || !(size > 0) ? views[i] : [x + (wide - across) / 2, y + (high - up) / 2, across, up].map((each) => each.toFixed(2)).join(" "));
-      for (const [owner, name, value] of [[panels[i].style, "--k", small && size / u], [top.style, "--s", i === large && `${size}px`], [top.style, "--q", i === large && factor]])
+      const seen = i === large ? size : panels[i].matches(".large .big") && picture.getScreenCTM().a;
+      for (const [owner, name, value] of [[panels[i].style, "--k", small && size / u], [top.style, "--s", seen && `${seen}px`], [top.style, "--q", i === large && factor]])
         if (value) owner.setProperty(name, value);
         else owner.removeProperty(name);
       if (!top.style.length) top.removeAttribute("style");
