@@ -241,6 +241,25 @@ def test_a_mistake_is_marked_and_its_button_mends_it(window: Page):
     assert not says.is_visible()
 
 
+def test_the_number_that_was_typed_last_is_marked(window: Page):
+    """Whatever Python says of it; what the page said of another number is gone."""
+    load(window, "four-bar")
+    crank = window.locator("[name=crank]")
+    crank.fill("-3")
+    crank.press("Enter")
+    assert "must be positive" in window.locator(".said p").inner_text()
+    crank.fill("1e9")
+    crank.press("Enter")
+    until(window, lambda: "the links miss" in window.locator(".message").inner_text())
+    assert crank.get_attribute("aria-invalid") is not None
+    assert window.locator("[name=angle]").get_attribute("aria-invalid") is None
+    assert window.locator(".said p").inner_text() == "You turn the crank."
+    crank.fill("45")
+    crank.press("Enter")
+    until(window, lambda: not window.locator(".message").is_visible())
+    assert crank.get_attribute("aria-invalid") is None
+
+
 def test_what_cannot_be_shown_leaves_nothing_of_another_mechanism(window: Page):
     load(window, "gate-actuator")
     window.evaluate("location.hash = 'm=double-slider&position=2000'")
@@ -453,6 +472,18 @@ def test_a_narrow_window_has_all_of_it(window: Page, address: str, width):
     window.locator("[data-do=strokes]").click()
     window.locator("[name=crank]").scroll_into_view_if_needed()
     assert window.locator("[name=crank]").is_visible()
+    window.set_viewport_size({"width": 1280, "height": 800})
+
+
+def test_a_phone_shows_both_drawings_between_bar_and_dock(window: Page, address: str):
+    window.goto(address.partition("?")[0])
+    window.set_viewport_size({"width": 390, "height": 844})
+    load(window, "four-bar")
+    tools, dock = (window.locator(each).bounding_box() for each in (".tools", ".control"))
+    equations = [each.bounding_box() for each in window.locator(".panel:not(.far) .foot p").all()]
+    assert len(equations) == 2
+    assert all(each["y"] + each["height"] <= dock["y"] for each in equations)
+    assert window.locator(".board").bounding_box()["y"] == tools["y"] + tools["height"]
     window.set_viewport_size({"width": 1280, "height": 800})
 
 

@@ -94,7 +94,7 @@ function refused(error) {
     return want(true);
   }
   if (!stands() && error.kind !== "stopped" && error.kind !== "busy") clear();
-  complain(error);
+  complain({ ...error, field: blamed || error.field });
 }
 
 // A box in which a text with a unit was written shows its value in the unit of the box.
@@ -116,6 +116,7 @@ function complain(error) {
   message.hidden = !broken;
   for (const box of root.querySelectorAll(".row input:not([type]), .size input:not([type]), .place input"))
     box.toggleAttribute("aria-invalid", broken && (box.name || box.id.slice(6)) === error.field);
+  if (!broken) blamed = "";
   if (!broken) return tell("");
   const tries = error.try && Object.entries(error.try);
   tell(error.hint && !tries ? `${error.message} (${error.hint})` : error.message);

@@ -73,7 +73,7 @@ function stand(answer) {
   standing.copied = poseOf(answer.results);
   globalThis.vad = standing.outside;
   standing.body.reads(followed);
-  standing.dock.beyond = (name, value) => { resize(name, value); want(true); };
+  standing.dock.beyond = (name, value) => { resize(name, value); blamed = name; want(true); };
   standing.body.show();
   if (was ? was.held : step === null) standing.dock.enter();
   if (was) recalled(was);

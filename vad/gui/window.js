@@ -13,6 +13,8 @@ const fields = new Map();
 let set = {}, standing = null;
 // What is asked for, and how the answer is to be shown.
 let wanted = false, asking = false, timer = 0, step = null, retry = null, broken = false, aside = null;
+// The number that was set last, for which Python was asked.
+let blamed = "";
 
 const entry = () => catalogue[set.mechanism];
 const settable = () => [...entry().parameters, ...entry().inputs];

@@ -49,6 +49,7 @@ function railed(root, body, dock) {
     };
     const change = (value) => {
       dock.begin();
+      dock.say();
       if (dock.beyond && (body.refused(index, value)[0] || !body.holds(state.map((each, i) => (i === index ? value : each))))) return dock.beyond(name, value);
       const said = reached(index, value, step / STEPS);
       dock.scale();
