@@ -446,6 +446,7 @@ def test_every_mechanism_in_every_language(window: Page, address: str, code: str
         assert window.locator("[data-vad-grip]").is_visible()
     assert violations(window) == []
     if code == "de":
+        assert window.locator("option[value='hoeken.toml']").inner_text() == "Hoekens Geradführung"
         window.select_option("#mechanism", "four-bar")
         still(window)
         for box in (window.locator("[name=angle]"), window.locator("[name=crank]")):

@@ -54,6 +54,10 @@ def test_the_window_saves_it_and_opens_it(client: TestClient) -> None:
             {"de": "a.toml, Zeile 5: ist am Ende kein TOML", "fr": "a.toml, ligne 5\u00a0: "},
         ),
         (
+            "crank = 'A'",
+            {"de": "a.toml, Zeile 4: crank: muss zwei Punkte", "fr": "a.toml, ligne 4\u00a0: "},
+        ),
+        (
             "[linsk]",
             {"de": "a.toml, Zeile 4: 'linsk' ist unbekannt", "fr": "a.toml, ligne 4\u00a0: "},
         ),

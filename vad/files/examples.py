@@ -49,11 +49,19 @@ def example_path(name: str) -> Path:
     return folder / (name + EXTENSION)
 
 
-def example_title(name: str) -> str:
-    """Return what an example is, in a few words."""
+def example_title(name: str, language: str = "en") -> str:
+    """Return what an example is, in a few words of a language.
+
+    Examples
+    --------
+    >>> example_title("hoeken", "de")
+    'Hoekens Geradführung'
+    """
     import tomllib
 
-    return str(tomllib.loads(example_path(name).read_text("utf-8"))["title"])
+    found = tomllib.loads(example_path(name).read_text("utf-8"))
+    own = found.get("names", {}).get(language, {})
+    return str(own.get("title", found["title"]))
 
 
 @cache

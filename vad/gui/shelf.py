@@ -50,13 +50,15 @@ class Shelf(Mapping[str, type[Mechanism]]):
         return len(list(iter(self)))
 
     @property
-    def examples(self) -> dict[str, str]:
-        """The titles of the examples, by name."""
+    def examples(self) -> list[str]:
+        """The names of the examples."""
         names = (name + EXTENSION for name in example_names())
+        return [name for name in names if name not in self.own]
+
+    def titles(self, language: str) -> dict[str, str]:
+        """Return the titles of the examples in a language, by name."""
         return {
-            name: example_title(name.removesuffix(EXTENSION))
-            for name in names
-            if name not in self.own
+            name: example_title(name.removesuffix(EXTENSION), language) for name in self.examples
         }
 
     def open(self, name: str, text: str) -> str:

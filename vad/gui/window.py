@@ -90,7 +90,7 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
         + _file("window.css")
         + colours(start.style, inks),
         mechanisms=_options({name: each["title"] for name, each in entries.items()}),
-        shelf=_options(shelf.examples),
+        shelf=_options(shelf.titles(code)),
         languages=_options({each: each.upper() for each in all_languages()}),
         formats="".join(_button(kind, texts.get(kind, kind.upper())) for kind in MEDIA),
         data=json.dumps(data, ensure_ascii=False).replace("<", "\\u003c"),

@@ -1307,6 +1307,31 @@ ERRORS = {
         "muss hier eine einzige Zahl sein, nicht {value}"
     ),
     "must be one word": "muss ein einziges Wort sein",
+    "must be a line of text, got {value}": "muss eine Zeile Text sein, nicht {value}",
+    "must be one word, got {value}": "muss ein einziges Wort sein, nicht {value}",
+    "must be one point": "muss ein einziger Punkt sein",
+    "must name two points or more, got {value}": (
+        "muss zwei Punkte oder mehr nennen, nicht {value}"
+    ),
+    "is empty": "ist leer",
+    "{point} is no point": "{point} ist kein Punkt",
+    "{point} is fixed twice": "{point} ist zweimal festgelegt",
+    "{tail} and {head} are at the same place": "{tail} und {head} sind am selben Ort",
+    "the triangle {points} with sides {sides} does not close": (
+        "das Dreieck {points} mit den Seiten {sides} schließt sich nicht"
+    ),
+    "no distance leads to {point}": "keine Entfernung führt zu {point}",
+    "{pair} does not lead to another point of the link": (
+        "{pair} führt zu keinem anderen Punkt des Glieds"
+    ),
+    "the distance of {point} from {other} is missing": (
+        "die Entfernung von {point} nach {other} fehlt"
+    ),
+    "a cylinder has two points": "ein Zylinder hat zwei Punkte",
+    "no link has both {one} and {other}": "kein Glied hat {one} und {other}",
+    "a link is called {name} already": "ein Glied heißt schon {name}",
+    "is longer than {count} bytes": "ist länger als {count} Bytes",
+    "is no text in UTF-8": "ist kein Text in UTF-8",
     "must be a table": "muss eine Tabelle sein",
     "must be a line, got {value}": "muss eine Gerade sein, nicht {value}",
     "must say how it moves": "muss sagen, wie es sich bewegt",

@@ -1294,6 +1294,29 @@ ERRORS = {
         "doit être ici un seul nombre, pas {value}"
     ),
     "must be one word": "doit être un seul mot",
+    "must be a line of text, got {value}": "doit être une ligne de texte, pas {value}",
+    "must be one word, got {value}": "doit être un seul mot, pas {value}",
+    "must be one point": "doit être un seul point",
+    "must name two points or more, got {value}": ("doit nommer deux points ou plus, pas {value}"),
+    "is empty": "est vide",
+    "{point} is no point": "{point} n’est pas un point",
+    "{point} is fixed twice": "{point} est fixé deux fois",
+    "{tail} and {head} are at the same place": "{tail} et {head} sont au même endroit",
+    "the triangle {points} with sides {sides} does not close": (
+        "le triangle {points} de côtés {sides} ne se ferme pas"
+    ),
+    "no distance leads to {point}": "aucune distance ne mène à {point}",
+    "{pair} does not lead to another point of the link": (
+        "{pair} ne mène à aucun autre point de la pièce"
+    ),
+    "the distance of {point} from {other} is missing": (
+        "il manque la distance de {other} à {point}"
+    ),
+    "a cylinder has two points": "un vérin a deux points",
+    "no link has both {one} and {other}": "aucune pièce n’a {one} et {other}",
+    "a link is called {name} already": "une pièce s’appelle déjà {name}",
+    "is longer than {count} bytes": "dépasse {count} octets",
+    "is no text in UTF-8": "n’est pas du texte en UTF-8",
     "must be a table": "doit être un tableau",
     "must be a line, got {value}": "doit être une droite, pas {value}",
     "must say how it moves": "doit dire comment il se meut",
