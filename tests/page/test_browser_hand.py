@@ -288,6 +288,20 @@ def test_axe_finds_nothing_in_the_hand(page: Page) -> None:
     page.locator("[data-do=strokes]").click()
 
 
+def test_a_phone_has_the_pace_of_a_turn_beside_the_way_back(page: Page) -> None:
+    speed = page.locator(".speed")
+    page.set_viewport_size({"width": 390, "height": 844})
+    expect(speed).to_be_hidden()
+    press(page, "h")
+    painted(page)
+    box, others = speed.bounding_box(), page.locator(".said > :visible, .ticks")
+    for other in (each.bounding_box() for each in others.all()):
+        apart = [box[a] >= other[a] + other[s] or other[a] >= box[a] + box[s] for a, s in _SIDES]
+        assert any(apart), other
+    speed.select_option("4")
+    speed.select_option("1")
+
+
 def test_the_region_speaks_when_the_hand_rests(page: Page) -> None:
     press(page, "h", "ArrowRight")
     until(page, lambda: "61.0°" in page.locator("[role=status]").inner_text(), 3)
@@ -408,6 +422,7 @@ def test_a_finger_turns_the_crank_in_a_page_that_scrolls(browser: Browser, tmp_p
         assert page.evaluate("scrollY") == 0
 
 
+_SIDES = (("x", "width"), ("y", "height"))
 _HIGH = "heard.findLast(({ height }) => height).height"
 
 
