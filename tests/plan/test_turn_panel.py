@@ -10,6 +10,7 @@ import vad
 from tests.plan.turns import LEG, LEVER, WHITWORTH, board_of
 from vad.files.examples import example_path
 from vad.plan.labels.obstacles import PIXEL, Obstacles
+from vad.plan.labels.springs import POSES
 from vad.plan.lettering.glyphs import typeset
 from vad.plan.marks import Bow, Lettering, Polyline
 from vad.plan.reach import corners
@@ -102,6 +103,21 @@ def test_the_arrow_of_a_constant_omega_stands_where_no_link_meets_its_name(name:
         moving = [line for line in pose.obstacles.lines if line not in still.obstacles.lines]
         free = Obstacles(still.setting.room, moving).free([box.centre], box.width, box.height, 0.0)
         assert free.all(), phase
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_no_letter_passes_over_what_is_written_once_for_all_poses(name: str):
+    for panel in board(name).panels.values():
+        written = [tag.box for tag in panel.picture.still.tags]
+        for number in range(0, POSES, 3):
+            pose = board(name).turn.at(number / POSES)
+            pose = pose.panel(panel.picture.still.setting.panel.name)
+            for label, placed in panel.labels.at(pose, number / POSES):
+                for text in written:
+                    away = text.centre - placed.centre
+                    aside = abs(away.real) - (text.width + placed.wide) / 2
+                    above = abs(away.imag) - (text.height + placed.high) / 2
+                    assert max(aside, above) > -PIXEL, (number, label.text)
 
 
 def test_no_letter_stands_on_the_ground_on_which_a_foot_walks():

@@ -184,7 +184,8 @@ class TurnPanel:
             for number, each in enumerate(obstacles):
                 self.lens.block(each, number / len(obstacles))
         crowd = Crowd(self.room, obstacles)
-        return Ballast(self.room, crowd, Crowd(self.room, [self._lines()]), self.picture.radius)
+        ways, texts = self._lines(), [tag.box for tag in self.picture.still.tags]
+        return Ballast(self.room, crowd, Crowd(self.room, [ways]), self.picture.radius, texts=texts)
 
 
 def _ground(way: Complexes) -> list[Mark]:

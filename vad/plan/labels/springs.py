@@ -61,6 +61,10 @@ _STEP = 0.7 * CELL  # so close are points along and across a stroke
 _LONGEST = 4.0
 
 
+#: A label: where its centre is in each pose, and its size.
+Box = tuple[Complexes, tuple[float, float]]
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Ballast:
     """What is in a panel besides its labels, in all poses.
@@ -77,6 +81,8 @@ class Ballast:
         That of every dot.
     rim
         The centre and the radius of the circle out of which no label stands, if there is one.
+    texts
+        The boxes of what is written once for all poses.
     """
 
     edge: Rect
@@ -84,6 +90,12 @@ class Ballast:
     ways: Crowd
     radius: float
     rim: tuple[complex, float] | None = None
+    texts: Sequence[Rect] = ()
+
+    @property
+    def written(self) -> list[Box]:
+        """These boxes as labels that stand still."""
+        return [(np.array([box.centre]), (box.width, box.height)) for box in self.texts]
 
     def beyond_rim(self, centres: Complexes, size: tuple[float, float]) -> Bools:
         """Tell which boxes are not within the circle."""
@@ -112,9 +124,6 @@ class Spring:
         return complex((1 - share) * self.offsets[first] + share * self.offsets[last])
 
 
-Box = tuple[Complexes, tuple[float, float]]
-
-
 def find_spring(
     dots: Complexes,
     size: tuple[float, float],
@@ -124,8 +133,8 @@ def find_spring(
 ) -> Spring:
     """Return how a label moves about its dot.
 
-    It never stands on another dot, and is nearer to its own than to any other but for a moment, or
-    where a line leads to it.
+    It never stands on another dot, nor on what is written once for all poses.  It is nearer to its
+    own dot than to any other but for a moment, or where a line leads to it.
 
     Parameters
     ----------
@@ -145,7 +154,7 @@ def find_spring(
     about = np.where(seen, dots, among.edge.centre)
     # A dot that lies over its own is no other one.
     others = [np.where(np.abs(rival - about) > among.radius, rival, np.nan) for rival in rivals]
-    costs = _costs(about, table, size, others, among, placed)
+    costs = _costs(about, table, size, others, among, [*placed, *among.written])
     costs[~seen] = 0.0
     costs[0] *= _FIRST
     path = _cheapest(costs, *_moves(table))
@@ -153,7 +162,8 @@ def find_spring(
     def hides(offsets: Complexes) -> Bools:
         centres = about + offsets
         near = _nearest(centres, size, others) < among.radius + _MET
-        return seen & (near | among.beyond_rim(centres, size))
+        on_text = _covered(centres[:, None], size, among.written, (0.0, 0.0))[:, 0]
+        return seen & (near | on_text | among.beyond_rim(centres, size))
 
     def meets(offsets: Complexes) -> Bools:
         centres = (about + offsets)[:, None]

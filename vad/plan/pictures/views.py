@@ -194,13 +194,13 @@ class Views:
         moved = [line for pose in self.poses for line in self._moving(pose, still).obstacles.lines]
         crowd = Obstacles(setting.room, list(dict.fromkeys(moved)))
         # What is written once for all poses keeps clear of all of them.
-        written = Sketch(setting, self.scale, crowd, still.items, finished=True)
+        written = replace(still, obstacles=crowd)
         add_pins(written, find_vertices(setting.panel, self.scale))
         arcs = angle_arcs(written, range(len(frame)))
         add_angles(written, [each for each in arcs if not is_symbolic(each[2].sweep)], PLACED)
         add_names(written)
         asides = add_notes(written, self._before.asides if self._before else ())
-        for tag in written.tags:
+        for tag in still.tags:
             still.obstacles.block(tag.box)
         return still, crowd, asides
 
