@@ -78,7 +78,7 @@ def test_labels_glide_and_cross_strokes_seldom(case: str):
 def test_a_label_is_absent_for_no_more_than_what_hides_it(case: str):
     """It shows in all poses, or else a stroke meets it for longer than a crossing takes.
 
-    Or it would hide another dot.
+    Or it would hide another dot, or stand on what is written once for all poses.
     """
     here = board(case)
     for name, panel in here.panels.items():
@@ -94,13 +94,19 @@ def test_a_label_is_absent_for_no_more_than_what_hides_it(case: str):
 
 
 def hides(here: TurnBoard, panel: str, name: Name, number: int) -> bool:
-    """Tell whether a label would be on another dot in a pose, were it not absent."""
+    """Tell whether a label would be on another dot or a standing text, were it not absent."""
     labels, phase = here.panels[panel].labels, number / POSES
     pose = here.turn.at(phase).panel(panel)
     own = labels.dot(name, pose, phase)
     box = Placed(own + name.spring.offsets[number], *labels._size(name.text, name.vector)).box
     near = labels._radius + _MET + 1e-9
-    return any(distance(box, at) < near for at in other_dots(labels, name, pose, phase))
+    texts = (tag.box for tag in here.panels[panel].picture.still.tags)
+    on_text = any(
+        abs(text.centre.real - box.centre.real) < (text.width + box.width) / 2
+        and abs(text.centre.imag - box.centre.imag) < (text.height + box.height) / 2
+        for text in texts
+    )
+    return on_text or any(distance(box, at) < near for at in other_dots(labels, name, pose, phase))
 
 
 def other_dots(labels: TurnLabels, name: Name, pose: Panel, phase: float) -> list[complex]:
