@@ -47,6 +47,19 @@ def test_it_fits_every_window(lesson: Page) -> None:
     lesson.set_viewport_size({"width": 1280, "height": 720})
 
 
+def test_remarks_of_two_lines_leave_the_buttons_in_the_window(
+    browser: Browser, tmp_path: Path
+) -> None:
+    """Beneath both polygons of the ball-jointed four-bar, whose lengths take two lines, too."""
+    with opened(browser, viewport={"width": 1280, "height": 720}) as page:
+        for code in ("en", "de", "fr"):
+            show(page, tmp_path, page_of("rssr", code))
+            for key in ("End", "h"):
+                press(page, key)
+                dock = page.locator(".control").bounding_box()
+                assert dock["y"] + dock["height"] <= 720.5
+
+
 def test_the_most_of_words_fit_the_least_of_windows(browser: Browser, tmp_path: Path) -> None:
     """German names of chapters on a phone, and all of the handout on two sheets."""
     cut = """() => [...document.querySelectorAll('.chapters button')]

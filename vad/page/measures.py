@@ -98,9 +98,9 @@ def measures(board: Plan) -> Measures:
 
 
 def _foot(board: Plan, panel: Panel) -> float:
-    """Return how high the equations of a panel are."""
+    """Return how high the equations of a panel are, and what is remarked above them."""
     foot = compose(panel, board.page.panels[panel.name].drawing.width)
-    return max(46.0, 12.0 + 31.0 * (len(foot.lines) + bool(foot.remark)))
+    return max(46.0, 12.0 + 31.0 * foot.count)
 
 
 def _thumbnails(sizes: list[tuple[float, float]], room: float) -> tuple[float, int]:
