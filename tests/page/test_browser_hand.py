@@ -754,6 +754,22 @@ def test_a_page_shows_and_answers_for_the_other_assembly(page: Page) -> None:
     expect(page.locator(".assembly :checked")).to_have_value("crossed")
     page.locator(".assembly [value=open]").check()
     assert page.evaluate("() => vad.state.assembly") == "open"
+    press(page, "Control+z")  # the choice has the focus
+    assert page.evaluate("() => vad.state.assembly") == "crossed"
+
+
+def test_a_pin_upon_a_pivot_is_a_dead_centre(browser: Browser, tmp_path: Path) -> None:
+    mechanism = vad.Whitworth(ground=40, crank=40)
+    with pytest.raises(vad.DeadCentreError):
+        vad.solve(mechanism, angle=270.0).to_dict()
+    with opened(browser, reduced_motion="reduce") as page:
+        show(page, tmp_path, written(mechanism, angle=30.0))
+        for method in ("solve", "pose"):
+            told = page.evaluate(f"() => vad.{method}({{ angle: 270 }})")
+            assert told == {"error": "Dead centre at 270°: here velocities have no value."}
+        page.evaluate("() => void vad.pose({ angle: 269 })")
+        press(page, "ArrowRight")
+        expect(page.locator(".said p")).to_contain_text("Dead centre at 270.0°")
 
 
 def test_a_row_hides_its_vectors_and_a_key_enlarges_a_panel(page: Page) -> None:

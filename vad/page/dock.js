@@ -347,7 +347,7 @@ function docked(root, body, player) {
   });
 
   player.on(document, "keydown", (event) => {
-    if (!held || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || event.target.matches?.("input:not([type=range])")) return;
+    if (!held || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z" || event.target.matches?.("input:not([type])")) return;
     redone(!event.shiftKey);
     event.preventDefault();
   });

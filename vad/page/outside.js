@@ -58,8 +58,10 @@ function outside(root, body, dock, player) {
     const same = body.key(values) === body.key(data.start);
     const ranges = same ? data.ranges : stretches(closes, ...body.ends, turns);
     if (!ranges.length) return wrong(filled(words["unclosed-nowhere"], { name, place }));
+    const { range: [low, high], at, off } = placed(ranges, values[0], turns);
+    if (!off) return wrong(filled(words.dead, { place })); // a pin upon the pivot of its lever
     const written = ranges.map((ends) => ends.map((end) => `${+end.toPrecision(6)}${degree}`).join(" … ")).join(words.and);
-    const { range: [low, high], at } = placed(ranges, values[0], turns), inside = clamp(at, low + (high - low) / 50, high - (high - low) / 50);
+    const inside = clamp(at, low + (high - low) / 50, high - (high - low) / 50);
     return wrong(filled(words.unclosed, { name, place, ranges: written }), filled(words.try, { name, value: +inside.toPrecision(4) }));
   }
 
