@@ -545,3 +545,12 @@ def test_a_leader_meets_both_circles_where_a_stroke_lies_beside_one_of_them():
     assert len(leader.pieces) == 2
     ends = leader.pieces[0][0], leader.pieces[-1][-1]
     assert ends == lens.leader
+
+
+def test_a_lens_shows_the_arcs_that_find_its_point_until_the_mechanism_is_finished():
+    board = planned(vad.draw(vad.solve(vad.load(example_path("shaper"))()), panels="position"))
+    in_lens = [item for item in board.items if item.level == Level.LENS]
+    arcs = [item for item in in_lens if any(mark.role == "compass arc" for mark in item.marks)]
+    found = next(item for item in in_lens if item.stroke == "position:F.found")
+    assert {item.stroke for item in arcs} == {"position:AF.compass", "position:BF.compass"}
+    assert all(item.since <= found.since < item.until < FOREVER for item in arcs)

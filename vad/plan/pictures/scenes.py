@@ -58,8 +58,9 @@ _SHOWN = (Level.GROUND, Level.CONSTRUCTION, Level.CARRIER, Level.BLOCK, Level.ST
 _NOT_SHOWN = {"angle", "axis", "sense", "speed", "notes", "scale bar", "right angle", "stub"}
 #: A faint line, which a lens may cover; letters may stand on it, and on a tint.
 FAINT, TINT = "construction done", "plate"
-#: The same line before it is inked over: all else that is shown for a time is no part of the place.
-LINE = "construction"
+#: The same line before it is inked over, and arcs that find a point, on which no letter stands: all
+#: else that is shown for a time is no part of the place.
+LINE, ARC = "construction", "compass arc"
 
 
 class View(NamedTuple):
@@ -113,15 +114,20 @@ class Scene:
                 (mark, shape)
                 for mark in map(_whole_line, item.marks)
                 if not (mark.hangs is None or isinstance(mark.hangs, OnPage))
-                if item.until == FOREVER or mark.role == LINE
+                if item.until == FOREVER or mark.role in (LINE, ARC)
                 if mark.role not in _NOT_SHOWN and (shape := mark.hangs.posed(solved))
                 if wide.cut(shape)
             ]
             if marks:
                 self._whole.append((item, marks))
         self._strokes = Obstacles(sketch.setting.room)
-        lasting = (marks for item, marks in self._whole if item.until == FOREVER)
-        _block(self._strokes, (each for marks in lasting for each in marks))
+        lasting = (
+            each
+            for item, marks in self._whole
+            for each in marks
+            if item.until == FOREVER or each[0].role == ARC
+        )
+        _block(self._strokes, lasting)
 
     def place(self, field: Field, first: int = 0, little: bool = False) -> tuple[Spot, View] | None:
         """Return the best place of a lens, and what is seen there, without the ``first`` radii.
