@@ -441,9 +441,12 @@ def test_a_page_around_it_drives_it_and_hears_of_it(browser: Browser, tmp_path: 
         page.evaluate(send, {"vad": {"step": "velocity:4"}})
         until(page, lambda: page.evaluate(f"heard.at(-1).step === {STEP - 1}"))
         # What panels in work take of a higher frame they give back.
-        for width, least, most in ((400, 900, 1400), (800, 400, 600)):
+        for width, least, most in ((800, 400, 600), (400, 900, 1400), (800, 400, 600)):
+            before = page.evaluate("heard.length")
             page.locator("iframe").evaluate("(frame, width) => { frame.width = width; }", width)
             until(page, lambda ends=(least, most): ends[0] < page.evaluate(_HIGH) < ends[1])
+            page.wait_for_timeout(300)
+            assert page.evaluate("heard.length") <= before + 3  # of which two follow the first
         page.evaluate(send, {"vad": {"pose": {"angle": 90}}})
         until(page, lambda: page.evaluate("heard.at(-1).pose?.angle === 90"))
         for nonsense in (3, None, {"vad": 3}, {"vad": {"pose": 3}}, {"vad": {"pose": {"x": 1}}}):

@@ -126,7 +126,10 @@ function outside(root, body, dock, player) {
   function wanted() {
     const dock = control.offsetHeight, taken = panels.offsetHeight - parseFloat(getComputedStyle(panels).flexBasis);
     const spare = (parseFloat(getComputedStyle(control).marginTop) || 0) + Math.max(0, taken || 0);
-    const wide = board.offsetWidth + 2 * board.offsetLeft, above = board.offsetHeight - dock - spare;
+    // On a phone drawings are smaller where the frame is low, and else as wide as their panels.
+    const narrow = [...panels.querySelectorAll(".drawing")].map((each) => [each, each.firstElementChild.clientWidth]).filter(([, width]) => width);
+    const more = narrow.reduce((sum, [each, width]) => sum + each.clientHeight * (each.clientWidth / width - 1), 0);
+    const wide = board.offsetWidth + 2 * board.offsetLeft, above = board.offsetHeight - dock - spare + more;
     const found = Math.max(dock + above * wide / board.offsetWidth, innerWidth >= 64 * REM ? 35 * REM : 0);
     return Math.abs(found - height) < 3 ? height : Math.ceil(found);
   }
