@@ -95,6 +95,7 @@ def test_what_is_set_is_solved_by_python(cell):
 
 def test_what_a_hand_sets_is_known_to_python(cell):
     seen: list[float] = []
+    until(cell.page, lambda: cell.window.angle == 150)
     cell.window.observe(lambda change: seen.append(change["new"]), "angle")
     cell.frame.locator(".turner").focus()
     cell.page.keyboard.press("PageUp")
