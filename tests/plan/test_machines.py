@@ -17,7 +17,7 @@ from vad.painting.painter import Looks
 from vad.plan.anchors import Anchor, Solved, Strip
 from vad.plan.board import Plan
 from vad.plan.geometry import Rect
-from vad.plan.items import Item
+from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import Obstacles
 from vad.plan.marks import Bow, Disc, Mark, Polygon, Polyline
 from vad.plan.pictures import machine
@@ -159,6 +159,22 @@ def test_a_rod_that_ends_at_a_crank_pin_has_a_joint_there_and_leaves_the_angle_w
         if mark.role == "angle" and isinstance(mark.shape, Bow)
     )
     assert arc.sweep == pytest.approx(60.0)
+
+
+@pytest.mark.parametrize("name", ["double-slider", "scissor-lift"])
+def test_the_pin_of_a_driven_block_comes_with_the_block(name: str):
+    kind = vad.MECHANISMS[name] if name in vad.MECHANISMS else vad.load(example_path(name))
+    board = planned(vad.draw(vad.solve(kind()), panels="position"))
+    panel = board.sketches["position"].setting.panel
+    block = next(s for s in panel.strokes if isinstance(s.shape, Block))
+    compass = next(s for s in panel.strokes if s.part.which == "compass")
+    pin = point(board, block.label)
+    joints = [
+        i for i in board.items if i.stroke == f"position:{block.name}" and i.level == Level.DOT
+    ]
+    assert [dot(board, pin).role] == ["joint"] and len(joints) == 1
+    setting = board.sketches["position"].setting
+    assert joints[0].since <= setting.during(panel.number(compass.name))
 
 
 @pytest.mark.parametrize("style", style_names())

@@ -142,7 +142,7 @@ def find_vertices(panel: Panel, scale: Scale) -> list[Vertex]:
 
     for index, stroke in enumerate(panel.strokes):
         shape = stroke.shape
-        if isinstance(shape, Dot):
+        if isinstance(shape, Dot | Block):  # the pin of a block that is given comes with it
             vertex(stroke.label, scale(shape.at), index, "at")
         elif isinstance(shape, Arrow):
             start, end = scale(shape.start), scale(shape.end)
