@@ -396,7 +396,7 @@ PHRASES = {
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, mit *τ̇* = (*ω₄₂*·sin "
-        "*IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} {rad/s}."
+        "*IB*·sin *IC*/sin {bc}° − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} {rad/s}."
     ),
     "bodies line 24 velocity": "∥ *OI* durch {point}, Achse der Schwinge relativ zur Kurbel",
     "bodies line 14 velocity": "∥ *OD* durch {point}, ihre Achse im Gestell",
@@ -802,16 +802,14 @@ PHRASES = {
     "spatial pole velocity": (
         "Unten, längs *DA* gesehen: *A* als Punkt der Schwinge, Geschwindigkeit *aa₄*."
     ),
-    "spatial pole acceleration": (
-        "Wieder *A* an der Schwinge: *ay* und *ya₄* drehen sich mit *OI* und ändern sich."
-    ),
+    "spatial pole acceleration": ("*ay* und *ya₄* drehen sich mit *OI* und ändern sich."),
     "spatial about I velocity": (
         "{label} = |*ω₄₂*·*AH*| = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* dreht sich um *I*."
     ),
     "spatial turned": "{label} = *aa₄*·|*τ̇*| = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
         "{label} = |*α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ*| = {sum} = {value} {unit}, ⟂ *OI*; *AH* wächst mit "
-        "*ḣ* = {rising} {pace}."
+        "*ḣ* = {rising} {pace}, Dualteil von *τ̇*."
     ),
     "spatial about D velocity": (
         "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: auch um *D*."
@@ -820,7 +818,7 @@ PHRASES = {
         "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
     ),
     "spatial along I": "∥ *OI* durch {point}",
-    "spatial along D velocity": "∥ *OD* durch {point}, denn *A* gleitet längs beider",
+    "spatial along D velocity": "∥ *OD* durch {point}, *A* gleitet längs beider",
     "spatial along D acceleration": "∥ *OD* durch {point}",
     # --- das Gelenkviereck mit Kugelgelenken
     # Lageplan

@@ -396,7 +396,7 @@ PHRASES = {
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, which turns at *τ̇* = "
-        "(*ω₄₂*·sin *IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} {rad/s}."
+        "(*ω₄₂*·sin *IB*·sin *IC*/sin {bc}° − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} {rad/s}."
     ),
     "bodies line 24 velocity": (
         "∥ *OI* through {point}, as the rocker turns about *OI* relative to the crank"
@@ -771,16 +771,14 @@ PHRASES = {
     "spatial pole velocity": (
         "Below, seen along *DA*: *A* as a point of the rocker, its velocity *aa₄*."
     ),
-    "spatial pole acceleration": (
-        "Again *A* on the rocker: *ay* and *ya₄* turn with *OI* and change length."
-    ),
+    "spatial pole acceleration": ("*ay* and *ya₄* turn with *OI* and change length."),
     "spatial about I velocity": (
         "{label} = |*ω₄₂*·*AH*| = {turn} × {lever} = {value} {unit}, ⟂ *OI*: *A* turns about *I*."
     ),
     "spatial turned": "{label} = *aa₄*·|*τ̇*| = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
         "{label} = |*α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ*| = {sum} = {value} {unit}, ⟂ *OI*; *AH* grows at *ḣ* = "
-        "{rising} {pace}."
+        "{rising} {pace}, the dual part of *τ̇*."
     ),
     "spatial about D velocity": (
         "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*: *A* turns about "

@@ -405,7 +405,7 @@ PHRASES = {
     ),
     "bodies turned paced": (
         "|{symbol}·*τ̇*| = {omega} × {pace} = {value} {unit}, ⟂ *OI*, avec *τ̇* = (*ω₄₂*·sin "
-        "*IB*·sin *IC*/sin *BC* − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} {rad/s}."
+        "*IB*·sin *IC*/sin {bc}° − *ω₂*·sin *τ*·cos *δ*)/sin *δ* = {signed} {rad/s}."
     ),
     "bodies line 24 velocity": "∥ *OI* par {point}, axe du balancier par rapport à la manivelle",
     "bodies line 14 velocity": "∥ *OD* par {point}, son axe par rapport au bâti",
@@ -801,9 +801,7 @@ PHRASES = {
     "spatial pole velocity": (
         "En bas, vu suivant *DA* : *A* comme point du balancier, de vitesse *aa₄*."
     ),
-    "spatial pole acceleration": (
-        "Encore *A* sur le balancier : *ay* et *ya₄* tournent avec *OI* et varient."
-    ),
+    "spatial pole acceleration": ("*ay* et *ya₄* tournent avec *OI* et varient."),
     "spatial about I velocity": (
         "{label} = |*ω₄₂*·*AH*| = {turn} × {lever} = {value} {unit}, ⟂ *OI* : *A* tourne autour "
         "de *I*."
@@ -811,7 +809,7 @@ PHRASES = {
     "spatial turned": "{label} = *aa₄*·|*τ̇*| = {speed} × {pace} = {value} {unit}, ⟂ *aa₄*.",
     "spatial about I acceleration": (
         "{label} = |*α₄₂ₜ*·*AH* + *ω₄₂*·*ḣ*| = {sum} = {value} {unit}, ⟂ *OI* ; *AH* croît de "
-        "*ḣ* = {rising} {pace}."
+        "*ḣ* = {rising} {pace}, partie duale de *τ̇*."
     ),
     "spatial about D velocity": (
         "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD* : aussi "
@@ -821,7 +819,7 @@ PHRASES = {
         "{label} = |{symbol}|·*AD* = {turn} × {lever} = {value} {unit}, ⟂ *OD*."
     ),
     "spatial along I": "∥ *OI* par {point}",
-    "spatial along D velocity": "∥ *OD* par {point}, car *A* glisse suivant les deux",
+    "spatial along D velocity": "∥ *OD* par {point}, car *A* glisse sur les deux",
     "spatial along D acceleration": "∥ *OD* par {point}",
     # --- le quadrilatère à rotules
     # position

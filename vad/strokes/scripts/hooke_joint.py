@@ -62,7 +62,7 @@ class Script(BodyScript):
         low, high = (Figure(float(f"{ratio:.4g}"), given=True) for ratio in self.ratios)
         driven = partial(self.scene.say, "hooke driven", low=low, high=high)
         results = {"23": cross, "14": driven}
-        return Names(ROWS, axes, measured, "hooke", results=results, paced=True)
+        return Names(ROWS, axes, measured, "hooke", results=results, paced={})
 
     def cells(self, order: Order, key: str) -> tuple[Cell, ...]:
         if key == "driven" and order is VELOCITY:

@@ -50,7 +50,7 @@ class Script(SlidingScript):
 
     def names(self) -> Names:
         rows = {"12": "crank", "24": "axis", "14": "rocker"}
-        return Names(rows, lines={"24": "I", "14": "D"}, paced=True)
+        return Names(rows, lines={"24": "I", "14": "D"}, paced={"bc": self.given("coupler_twist")})
 
     def places(self) -> Mapping[Spot, Any]:
         found = {Spot(letter): PICTORIAL.way(self.place(letter)) for letter in "ABCD"}

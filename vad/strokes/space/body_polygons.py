@@ -60,8 +60,8 @@ class Names:
         By the bodies: what makes the sentences of measured velocities, where these say more than
         the value.
     paced
-        Whether its own phrase has a formula for τ̇, the rate at which OI turns in the plane of the
-        frame.
+        What its own phrase with a formula for τ̇, the rate at which OI turns in the plane of the
+        frame, has besides; None if τ̇ follows from the polygon of ω.
     """
 
     rows: Mapping[str, str]
@@ -70,7 +70,7 @@ class Names:
     topic: str = "bodies"
     lines: Mapping[str, str] = field(default_factory=dict)
     results: Mapping[str, Callable[..., Sentence]] = field(default_factory=dict)
-    paced: bool = False
+    paced: Mapping[str, SentencePart] | None = None
 
 
 class BodyPolygon:
@@ -282,7 +282,8 @@ class BodyPolygon:
         parts |= {"symbol": RELATIVE[1], "unit": Unit(self.unit)}
         parts["value"] = Figure(abs(value), self.unit)
         parts["omega"] = Figure(abs(real(self.bodies.pace.omega)), VELOCITY.unit)
-        if self.names.paced:
+        if self.names.paced is not None:
+            parts |= self.names.paced
             plane, step = "paced", product("value", "omega", "pace")
             parts["pace"] = Figure(abs(pace), VELOCITY.unit)
             parts["signed"] = Figure(pace, VELOCITY.unit)
