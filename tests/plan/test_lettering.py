@@ -62,7 +62,7 @@ def test_fixed_text_says_itself_what_is_a_symbol(code: str):
     rates = {"turn": "2", "sum": "6", "value": "6", "unit": Unit("mm/s²"), "label": "y"}
     rates |= {"rising": Figure(1.0), "pace": Unit("mm/s")}
     about = said(Voice(code).pieces(Sentence("spatial about I acceleration", rates)))
-    assert italics(about) == "y α t AH ω h OI AH h"
+    assert italics(about) == "y α t AH ω h OI AH h τ"
 
 
 def test_a_caption_keeps_off_its_number():

@@ -24,7 +24,8 @@ from vad.plan.live_board import LiveBoard
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon
 from vad.plan.page.changing import caption_lines
 from vad.plan.pictures.curves import curve_of
-from vad.plan.pictures.views import WIDTHS, Views
+from vad.plan.pictures.notes import WIDTHS
+from vad.plan.pictures.views import Views
 from vad.plan.scale import Scale, views_scale
 from vad.plan.sketch import Setting, Sketch, Tag
 from vad.plan.stage import Stage
