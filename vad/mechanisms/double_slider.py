@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from vad.errors import InputError
+from vad.kinematics.elementary import sine
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of, parallel
 from vad.mechanisms.mechanism import Dimension, DrivenBySlide, angle, length
 
@@ -40,8 +41,5 @@ class DoubleSlider(DrivenBySlide):
 
     def axes_apart(self) -> bool:
         """Tell whether the guides are two lines, which may be traced."""
-        from vad.kinematics.numbers import fold  # a list of mechanisms needs no numbers
-
-        between = abs(fold(self.guide_b - self.guide_a))
-        apart: bool = (between > 0.0) & (between < 180.0)
+        apart: bool = abs(sine(self.guide_b - self.guide_a)) > 0.0
         return apart
