@@ -369,20 +369,21 @@ def add_tag(
     since: int,
     growth: Growth | None = None,
     dots: Sequence[complex] = (),
+    past: bool = False,
 ) -> None:
     """Write ``text`` beside the line between ``ends``, nearest its middle; it hangs on the first.
 
     It keeps clear of all that shows in its ``span`` of beats, and appears at ``since``.  Without a
     clear place it is smaller; if it has none then, and would go again, it is left out.  If it can
-    be, its leader passes none of some ``dots``.
+    be, its leader passes none of some ``dots``.  The name of an axis may stand ``past`` its end.
     """
     runs, row = symbols(text), sketch.setting.row(stroke.link)
     start, end = sketch.solved.places(ends)
     first, last = _drawn(sketch, stroke, plain(start), plain(end))
-    placed = _along(sketch.obstacles.during(span), first, last, runs, size, dots)
+    placed = _along(sketch.obstacles.during(span), first, last, runs, size, dots, past)
     if placed.forced:
         size *= SMALLER
-        placed = _along(sketch.obstacles.during(span), first, last, runs, size, dots)
+        placed = _along(sketch.obstacles.during(span), first, last, runs, size, dots, past)
         if placed.forced and span[1] != FOREVER:
             return
     if is_symbolic(end - start) and first != last and not placed.leader:  # it turns with the line
@@ -418,10 +419,11 @@ def _along(
     runs: Runs,
     size: float,
     dots: Sequence[complex],
+    past: bool,
 ) -> Placed:
     """Return a clear place beside a line, with no other stroke between both if there is one.
 
-    If it can be, no other stroke is as near.
+    If it can be, no other stroke is as near, beside it or ``past`` its end.
     """
     wide, high = ink_size(runs, size)
     span = end - start
@@ -444,6 +446,9 @@ def _along(
                 return Placed(centres[each], wide, high)
             else:
                 close.append(centres[each])
+        beyond_it = beside(end, direction_of(start, end), gap, wide, high)
+        if past and obstacles.free([beyond_it], wide, high, CLEARANCE, APART)[0]:
+            return Placed(beyond_it, wide, high)
     led = _led_to(obstacles, (start, end), normal, (wide, high), dots, bool(close or found))
     if not (close or found) or is_short(led):
         return led

@@ -317,7 +317,8 @@ def add_names(sketch: Sketch) -> None:
             middle = max(1, len(points) // 2)
             names = (middle - 1, middle) if isinstance(shape, Curve) else ("start", "end")
             ends = Anchor.of(stroke.name, names[0]), Anchor.of(stroke.name, names[1])
-            add_tag(sketch, stroke, stroke.label, ends, SMALL_SIZE, (since, FOREVER), since)
+            during, axis = (since, FOREVER), len(points) == 2 and isinstance(shape, Curve)
+            add_tag(sketch, stroke, stroke.label, ends, SMALL_SIZE, during, since, past=axis)
 
 
 def _add_dot(sketch: Sketch, index: int, at: complex) -> None:
