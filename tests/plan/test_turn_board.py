@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -13,7 +15,9 @@ from vad.plan.anchors import Beside
 from vad.plan.format import paper, screen
 from vad.plan.hodographs import TOLERANCE, thinned
 from vad.plan.items import Item
+from vad.plan.layout import rooms
 from vad.plan.marks import Disc, Lettering, Mark, Polyline
+from vad.plan.pictures import over_turn
 from vad.plan.pictures.inset import SIZES, draw_inset
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.turn_board import NumberedTurn, TurnBoard
@@ -287,6 +291,20 @@ def test_of_two_polygons_in_a_column_none_is_cut_off():
         assert all(panel.room.holds(z) for z in ways), name
         below = min(z.imag for z in ways) - panel.room.bottom
         assert below > 0.05 or not name.endswith(".below"), name  # above its scale bar
+
+
+def test_two_polygons_stand_side_by_side_where_they_are_larger_so():
+    board = board_of(vad.SpatialFourBar())
+    poses = [board.turn.at(number / 24) for number in range(24)]
+    for name in ("velocity", "acceleration"):
+        first, second = (board.panels[name + each] for each in ("", ".below"))
+        assert first.room.right == second.room.left
+        whole, size = replace(first.room, right=second.room.right), 1.0
+        setting = first.picture.still.setting
+        for half, room in rooms(board.sheet.panel(name), whole):  # one above the other
+            same = [pose.panel(half.name) for pose in poses]
+            size *= over_turn(replace(setting, panel=half, room=room), same).scale.factor
+        assert first.scale.factor * second.scale.factor > 1.2 * size
 
 
 def test_a_polygon_makes_way_for_the_speeds_over_a_turn():

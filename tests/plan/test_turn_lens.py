@@ -15,7 +15,7 @@ from vad.plan.labels.obstacles import PIXEL
 from vad.plan.lens import BAND
 from vad.plan.marks import Disc
 from vad.plan.turn_board import TurnBoard
-from vad.plan.turn_lens import FADE, INSIDE, SMALL, TurnLens, _spans
+from vad.plan.turn_lens import FADE, INSIDE, LONG_SPAN, SMALL, TurnLens, _spans
 from vad.plan.turn_panel import TurnPanel
 
 CASES = {"lever": LEVER, "leg": LEG}
@@ -161,12 +161,13 @@ def test_a_polygon_that_is_large_most_of_the_time_has_none():
     assert {panel.lens for panel in shown.panels.values()} == {None}
 
 
-def test_it_comes_once_in_a_turn():
-    """The small velocities of the spatial four-bar are small twice."""
+def test_it_comes_twice_in_a_turn_if_it_stays_long():
+    """The velocities of the spatial four-bar are small twice."""
     shown = board_of(vad.SpatialFourBar())
     lens = shown.panels["velocity.below"].lens
     assert lens is not None
-    assert len(lens.spans.ends) == 1
+    assert len(lens.spans.ends) == 2
+    assert all(last - first >= LONG_SPAN for first, last in lens.spans.ends)
 
 
 def test_it_comes_again_where_it_stays_long_both_times():

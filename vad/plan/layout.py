@@ -431,11 +431,13 @@ def _together(
     return found
 
 
-def rooms(panel: Panel, drawing: Rect, overlap: float = 0.0) -> list[tuple[Panel, Rect]]:
+def rooms(
+    panel: Panel, drawing: Rect, overlap: float = 0.0, across: bool = False
+) -> list[tuple[Panel, Rect]]:
     """Return the halves of a panel with their rooms, which ``overlap`` where labels stand.
 
-    In a wide drawing they are side by side.  That of a mechanism leaves room for the circle of its
-    bodies.
+    In a wide drawing they are side by side, in any if they are to stand ``across``.  That of a
+    mechanism leaves room for the circle of its bodies.
     """
     if panel.below is None:
         circle = beside(panel, drawing)
@@ -444,7 +446,7 @@ def rooms(panel: Panel, drawing: Rect, overlap: float = 0.0) -> list[tuple[Panel
         if circle.left > drawing.left:
             return [(panel, replace(drawing, right=circle.left))]
         return [(panel, replace(drawing, bottom=circle.top))]
-    if drawing.width > WIDE * drawing.height:
+    if across or drawing.width > WIDE * drawing.height:
         middle = drawing.centre.real
         first, second = replace(drawing, right=middle), replace(drawing, left=middle)
         return [(panel, first), (panel.below, second)]

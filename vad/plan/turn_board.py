@@ -6,6 +6,7 @@ still, with twelve numbered positions on its hodographs and curves.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
@@ -30,6 +31,7 @@ from vad.plan.lettering.runs import roman
 from vad.plan.marks import Lettering, Mark, disc, lines
 from vad.plan.page.heads import TITLE as TITLE_SIZE
 from vad.plan.page.heads import head, title_marks
+from vad.plan.pictures import over_turn
 from vad.plan.sketch import Setting, Sketch
 from vad.plan.turn_layout import lay_out_turn
 from vad.plan.turn_lens import FADE
@@ -91,10 +93,8 @@ class TurnBoard:
             elif panel.name == "drive" and self.cycle.work:
                 top = drawing.top - 2 * LINE
                 drawing = Rect(drawing.left, drawing.bottom, drawing.right, top)
-            for half, room in rooms(panel, drawing):
-                aside = beside_mechanism(panel, drawing)
-                setting = Setting(sheet, half, room, rows, (), self.form.centimetre, beside=aside)
-                setting = replace(setting, lenses=self.lenses)
+            for setting in self._settings(panel, drawing, poses, rows):
+                half = setting.panel
                 same = [pose.panel(half.name) for pose in poses]
                 motion = self.cycle, turn.opening, FADE / turn.duration
                 self.panels[half.name] = TurnPanel(setting, same, *motion)
@@ -104,6 +104,29 @@ class TurnBoard:
         self.unmoved = [Item("", name, Level.GROUND, tuple(each)) for name, each in marks if each]
         for moving in self.panels.values():
             self.unmoved += moving.still()
+
+    def _settings(
+        self, panel: Panel, drawing: Rect, poses: Sequence[Sheet], rows: Mapping[str, int]
+    ) -> list[Setting]:
+        """Return the halves of a panel in their rooms.
+
+        Two polygons stand one above the other or side by side, as they are larger over the turn.
+        """
+        aside, centimetre = beside_mechanism(panel, drawing), self.form.centimetre
+        bare = Setting(self.sheet, panel, drawing, rows, (), centimetre, beside=aside)
+        bare = replace(bare, lenses=self.lenses)
+
+        def placed(across: bool) -> list[Setting]:
+            halves = rooms(panel, drawing, across=across)
+            return [replace(bare, panel=half, room=room) for half, room in halves]
+
+        def size(settings: Sequence[Setting]) -> float:
+            same = ((each, [pose.panel(each.panel.name) for pose in poses]) for each in settings)
+            return math.prod(over_turn(each, halves).scale.factor for each, halves in same)
+
+        if panel.below is None:
+            return placed(False)
+        return max(placed(False), placed(True), key=size)
 
     def at(self, moment: Moment) -> list[Item]:
         """Return the items of a moment, in painting order; its beat is a frame."""
