@@ -20,8 +20,9 @@ from tests.plan.overlaps import planned
 from vad.files.examples import example_path
 from vad.plan.format import screen
 from vad.plan.geometry import Rect
-from vad.plan.items import Item, together
+from vad.plan.items import FOREVER, Item, together
 from vad.plan.labels.obstacles import Obstacles
+from vad.plan.labels.vertices import find_vertices
 from vad.plan.marks import Bow, Mark, Polygon, Polyline
 from vad.plan.pictures.constructions import LONG_LEG, place_square
 from vad.plan.sketch import Sketch
@@ -149,3 +150,27 @@ def test_a_line_at_an_angle_of_a_link_has_the_arc_of_it_and_its_name_there(name:
         for way, degrees in zip(ways, (arc.start, arc.start + arc.sweep), strict=True):
             turned = way * cmath.rect(1.0, -math.radians(degrees))
             assert cmath.phase(turned) == pytest.approx(0.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", ["whitworth", "crank-slotted-lever"])
+def test_no_leader_of_a_construction_line_runs_through_a_dot(name: str) -> None:
+    """That of "∥ lever" ran through qₙ in Whitworth's polygon."""
+    sheet = vad.draw(vad.solve(vad.MECHANISMS[name]()))
+    stage = Stage(sheet, screen((1280, 720)), 0.058)
+    for number in range(stage.count):
+        for sketch in stage.scene(number).sketches.values():
+            dots = find_vertices(sketch.setting.panel, sketch.scale)
+            if sketch.setting.panel.picture != "vectors":
+                continue
+            for item in sketch.items:
+                for mark in item.marks if item.until != FOREVER else ():
+                    if mark.role == "leader" and isinstance(mark.shape, Polyline):
+                        ((start, end),) = mark.shape.pieces
+                        far = [off(dot.at, start, end) for dot in dots]
+                        assert min(far, default=1.0) > 6.0 * PIXEL, item.stroke  # a dot's radius
+
+
+def off(at: complex, start: complex, end: complex) -> float:
+    """Return how far a place is from a line between two others."""
+    along = (at - start) / (end - start)
+    return abs(at - start - min(max(along.real, 0.0), 1.0) * (end - start))

@@ -105,6 +105,13 @@ def test_the_arrow_of_a_constant_omega_stands_where_no_link_meets_its_name(name:
         assert free.all(), phase
 
 
+def test_a_given_alpha_stands_beside_omega_as_both_were_typed():
+    here = board_of(vad.load(example_path("toggle-press"))())
+    shapes = [mark.shape for item in here.unmoved for mark in item.marks]
+    texts = ["".join(r.text for r in each.runs) for each in shapes if isinstance(each, Lettering)]
+    assert any("ω2 180 rpm" in text and "α2 50 rad/s2" in text for text in texts)
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_no_letter_passes_over_what_is_written_once_for_all_poses(name: str):
     for panel in board(name).panels.values():

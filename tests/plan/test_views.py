@@ -14,6 +14,7 @@ import vad
 from tests.plan.overlaps import overlaps, planned
 from tests.plan.sheet_of_views import sheet_of_views
 from vad.export.sheet_json import sheet_from_json, to_text
+from vad.plan.anchors import Anchor
 from vad.plan.format import screen
 from vad.plan.items import Item, Level
 from vad.plan.labels.obstacles import PIXEL
@@ -23,13 +24,14 @@ from vad.plan.lettering.runs import plain
 from vad.plan.live_board import LiveBoard
 from vad.plan.marks import Bow, Disc, Lettering, Mark, Polygon
 from vad.plan.page.changing import caption_lines
+from vad.plan.pictures.angles import SensePlace, beside_own
 from vad.plan.pictures.curves import curve_of
 from vad.plan.pictures.notes import WIDTHS
 from vad.plan.pictures.views import Views
 from vad.plan.scale import Scale, views_scale
 from vad.plan.sketch import Setting, Sketch, Tag
 from vad.plan.stage import Stage
-from vad.strokes.sheet import Arrow, Ellipse
+from vad.strokes.sheet import Arrow, Curve, Ellipse
 
 POSES = [sheet_of_views(degrees) for degrees in range(5, 365, 30)]
 
@@ -394,3 +396,31 @@ def test_a_leader_ends_at_the_rim_of_a_point():
             found[name] = abs(end - dots[-1].centre) - dots[-1].radius
     assert "T.plan" in found
     assert all(abs(gap) < 1.5 * PIXEL for gap in found.values()), found
+
+
+def test_the_arrow_of_omega_keeps_off_a_ball():
+    sheet = vad.draw(vad.solve(vad.SphericalFourBar()))
+    sketch = planned(sheet).sketches["position"]
+    angle = next(s for s in sketch.setting.panel.strokes if s.name == "AB.angle")
+    ball = next(s.shape for s in sketch.setting.panel.strokes if s.name == "outline")
+    assert isinstance(ball, Ellipse)
+    rose = sketch.solved.place(Anchor.of(angle.name, "centre"))
+    middle = sketch.scale(ball.centre)
+    toward = math.degrees(cmath.phase(middle - rose))
+    beyond = abs(middle - rose) - abs(ball.first) * sketch.scale.factor
+    for turn, apt in ((0.0, False), (180.0, True)):
+        place = SensePlace(beyond + 0.01, 40.0, toward + turn)
+        assert beside_own(sketch, angle, place) == apt
+
+
+def test_the_name_of_an_axis_stands_at_its_own_end():
+    sketch = planned(vad.draw(vad.solve(vad.SpatialFourBar()))).sketches["position"]
+    tips, origin = {}, next(vertex.at for vertex in sketch.vertices if "O" in vertex.letters)
+    for stroke in sketch.setting.panel.strokes:
+        if stroke.label in ("OA", "OB", "OC", "OD") and isinstance(stroke.shape, Curve):
+            ends = map(sketch.scale, stroke.shape.points)
+            tips[stroke.label] = max(ends, key=lambda end: abs(end - origin))
+    assert len(tips) == 4
+    for label in ("OA", "OB", "OD"):
+        (tag,) = (tag for tag in sketch.tags if tag.text == label)
+        assert min(tips, key=lambda each: distance(tag.box, tips[each])) == label

@@ -310,14 +310,17 @@ def add_angles(sketch: Sketch, arcs: Sequence[tuple[int, Hung, Bow]], labels: La
 def add_names(sketch: Sketch) -> None:
     """Write the names of bars and curves beside their middles."""
     setting = sketch.setting
+    dots = {s.shape.at for s in setting.panel.strokes if isinstance(s.shape, Dot)}
     for index, stroke in enumerate(setting.panel.strokes):
         if isinstance(stroke.shape, Curve | Arrow) and stroke.label:
             shape, since = stroke.shape, setting.after(index)
             points = shape.points if isinstance(shape, Curve) else (shape.start, shape.end)
             middle = max(1, len(points) // 2)
             names = (middle - 1, middle) if isinstance(shape, Curve) else ("start", "end")
-            ends = Anchor.of(stroke.name, names[0]), Anchor.of(stroke.name, names[1])
             during, axis = (since, FOREVER), len(points) == 2 and isinstance(shape, Curve)
+            if axis and points[1] in dots:  # it leads to its origin
+                names = names[::-1]
+            ends = Anchor.of(stroke.name, names[0]), Anchor.of(stroke.name, names[1])
             add_tag(sketch, stroke, stroke.label, ends, SMALL_SIZE, during, since, past=axis)
 
 
