@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -308,13 +308,11 @@ def _with_extremes(
 
     About each of both the cycle is solved anew, closer and closer.
     """
-    ends = [(name, sign) for name in curves for sign in (-1.0, 1.0)]
     best = {}
-    for name, sign in ends:
-        values = sign * curves[name].values
-        if np.isfinite(values).any():
-            number = int(np.nanargmax(values))
-            best[name, sign] = float(_SHARES[number]), float(values[number])
+    for name, sign in product(curves, (-1.0, 1.0)):
+        peak = _peak(_SHARES, sign * curves[name].values)
+        if peak:
+            best[name, sign] = peak
     half = 1.0 / SAMPLES
     for _ in range(CLOSER if best else 0):
         shares = np.clip(np.concatenate([at + half * BETWEEN for at, _ in best.values()]), 0.0, 1.0)
@@ -326,15 +324,23 @@ def _with_extremes(
             values = sign * series.values[some] if series else np.array([])
             if series and series.unit == "°":  # about as many whole turns as there
                 values = values + 360.0 * np.round((most - values) / 360.0)
-            if np.isfinite(values).any() and np.nanmax(values) > most:
-                number = int(np.nanargmax(values))
-                best[name, sign] = float(shares[some][number]), float(values[number])
+            peak = _peak(shares[some], values)
+            if peak and peak[1] > most:
+                best[name, sign] = peak
         half /= (len(BETWEEN) - 1) / 2
     extremes = {
         name: tuple(sign * best[name, sign][1] for sign in (-1.0, 1.0) if (name, sign) in best)
         for name in curves
     }
     return {name: replace(curve, extremes=extremes[name]) for name, curve in curves.items()}
+
+
+def _peak(shares: Reals, values: Reals) -> tuple[float, float] | None:
+    """Return where the greatest of some values is, and that; None where no value exists."""
+    if not np.isfinite(values).any():
+        return None
+    number = int(np.nanargmax(values))
+    return float(shares[number]), float(values[number])
 
 
 def _curve_of_point(scene: AnyScene, panel: str, point: Followed) -> Series | None:

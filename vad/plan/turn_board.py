@@ -113,8 +113,9 @@ class TurnBoard:
         Two polygons stand one above the other or side by side, as they are larger over the turn.
         """
         aside, centimetre = beside_mechanism(panel, drawing), self.form.centimetre
-        bare = Setting(self.sheet, panel, drawing, rows, (), centimetre, beside=aside)
-        bare = replace(bare, lenses=self.lenses)
+        bare = Setting(
+            self.sheet, panel, drawing, rows, (), centimetre, beside=aside, lenses=self.lenses
+        )
 
         def placed(across: bool) -> list[Setting]:
             halves = rooms(panel, drawing, across=across)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from functools import reduce
-from typing import Generic
 
 from vad.kinematics.linkage import Bar, Slide, Step, angle_of, length_of, points_of
 from vad.strokes.arithmetic import Calculation, Figure, product
 from vad.strokes.diagram import ORDERS
 from vad.strokes.loops import StepVector
 from vad.strokes.notation import typed_unit
+from vad.strokes.player import PencilCaptions
 from vad.strokes.scene import Scene, image_letter, point_of
 from vad.strokes.sentences import CaptionedMotion, Listed, Noun, Sentence, SentencePart, Unit
 from vad.strokes.vector_equations import NOTHING, Part, V
@@ -20,7 +20,7 @@ from vad.strokes.vector_equations import NOTHING, Part, V
 RPM, DOUBLE_PRIME = "rpm", "″"
 
 
-class PolygonCaptions(ABC, Generic[V]):
+class PolygonCaptions(PencilCaptions[V], ABC):
     """The captions of a velocity polygon (order 1) or an acceleration polygon (order 2).
 
     The ones here are the same for mechanisms in the plane and in space.
@@ -48,10 +48,6 @@ class PolygonCaptions(ABC, Generic[V]):
     def is_zero(self, part: Part[V]) -> bool:
         """Tell whether a component of length zero means that the quantity it measures is zero."""
         return True
-
-    def without(self, part: Part[V], said: Sentence) -> Sentence:
-        """Say before what is said of a line that a known component before it is zero."""
-        return said
 
     def still(self) -> Sentence:
         """Say that nothing moves."""

@@ -154,7 +154,8 @@ def find_spring(
     about = np.where(seen, dots, among.edge.centre)
     # A dot that lies over its own is no other one.
     others = [np.where(np.abs(rival - about) > among.radius, rival, np.nan) for rival in rivals]
-    costs = _costs(about, table, size, others, among, [*placed, *among.written])
+    written = among.written
+    costs = _costs(about, table, size, others, among, [*placed, *written])
     costs[~seen] = 0.0
     costs[0] *= _FIRST
     path = _cheapest(costs, *_moves(table))
@@ -162,7 +163,7 @@ def find_spring(
     def hides(offsets: Complexes) -> Bools:
         centres = about + offsets
         near = _nearest(centres, size, others) < among.radius + _MET
-        on_text = _covered(centres[:, None], size, among.written, (0.0, 0.0))[:, 0]
+        on_text = _covered(centres[:, None], size, written, (0.0, 0.0))[:, 0]
         return seen & (near | on_text | among.beyond_rim(centres, size))
 
     def meets(offsets: Complexes) -> Bools:
