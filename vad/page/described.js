@@ -11,9 +11,7 @@ function described(root, body, player) {
     const [x, y, factor] = state.slice(input, input + 3), found = [];
     data.labels.forEach(([own, dot, , , [p, q], , , apart], n) => {
       const u = (out[p] - x) / factor, v = (out[q] - y) / factor;
-      // A letter goes with its part: see labels.js.
-      const gone = apart.some((at, k) => k % 2 === 0 && !(Math.hypot(out[at] - out[p], out[apart[k + 1]] - out[q]) > VANISHES));
-      if (own === half && dot && !gone && u - u === 0 && v - v === 0) found.push([data.spelled[n], Math.hypot(u, v), Math.atan2(v, u)]);
+      if (own === half && dot && !vanished(out, apart, out[p], out[q]) && u - u === 0 && v - v === 0) found.push([data.spelled[n], Math.hypot(u, v), Math.atan2(v, u)]);
     });
     const least = 1e-9 * Math.max(...found.map(([, size]) => size)), pole = found.filter(([, size]) => size <= least);
     return [filled(words.pole, { name: pole.map(([name]) => name).join(", ") }),

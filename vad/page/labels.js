@@ -11,6 +11,13 @@ const STEP = 10 / 720, JUMP = 11 / 720, JOINED = 12 / 720, PARTED = 15 / 720, PL
 const THIN = 0.002, VANISHES = 1e-6;
 const SVG = "http://www.w3.org/2000/svg";
 
+// Whether a letter at a place goes with its part, as that has no length: apart are its other ends.
+function vanished(out, apart, u, v) {
+  for (let n = 0; n < apart.length; n += 2)
+    if (!(Math.hypot(out[apart[n]] - u, out[apart[n + 1]] - v) > VANISHES)) return true;
+  return false;
+}
+
 function labels(texts, data, out, counts) {
   const [unit, , top] = data.page, groups = new Map(), joined = new Set();
   let hidden = 0, tick = 0;
@@ -237,8 +244,7 @@ function labels(texts, data, out, counts) {
       each.u = out[each.at[0]];
       each.v = out[each.at[1]];
       each.there = !each.shell.classList.contains("off") && each.u - each.u === 0 && each.v - each.v === 0;
-      for (let n = 0; n < each.apart.length; n += 2)
-        if (!(Math.hypot(out[each.apart[n]] - each.u, out[each.apart[n + 1]] - each.v) > VANISHES)) each.there = false;
+      if (vanished(out, each.apart, each.u, each.v)) each.there = false;
       if (each.there) found.push(each);
       if (each.there && each.dot) columns[each.column].dots.push(each);
     }
