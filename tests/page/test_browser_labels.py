@@ -142,6 +142,27 @@ def test_the_angle_and_the_sense_follow(page: Page) -> None:
     assert page.evaluate(arrow)[0] == "none"
 
 
+@pytest.mark.parametrize("name", ["double-slider", "spatial-four-bar"])
+def test_the_halo_of_a_text_moves_with_it(name: str, page: Page) -> None:
+    open_picture(page, name)
+    places = """() => [...document.querySelectorAll(".hand g > use")].map((halo) =>
+      [halo, halo.nextElementSibling].map((each) => {
+        const { left, right, top, bottom } = each.getBoundingClientRect();
+        return [(left + right) / 2, (top + bottom) / 2];
+      }))"""
+    seen = []
+    for place in (0.1, 0.9):
+        low, high = page.evaluate("given.ranges[0]")
+        driver = page.evaluate("given.inputs[0]")
+        paint(page, **{driver: low + place * (high - low)})
+        seen.append(page.evaluate(places))
+        assert seen[-1]
+        for halo, text in seen[-1]:
+            assert halo == pytest.approx(text, abs=0.5)
+    if name == "double-slider":
+        assert seen[0] != seen[1]
+
+
 def test_a_cell_keeps_its_unit(page: Page) -> None:
     open_picture(page, "four-bar")
     before = page.locator(".results .cell").all_inner_texts()

@@ -27,8 +27,7 @@ function picture(root, solve, data) {
   const x = (place) => (out[place] - left) * unit, y = (place) => (top - out[place]) * unit;
   const round = (value) => Math.round(value * 100) / 100;
   const svgs = [...root.querySelectorAll(".drawing svg")];
-  const elements = svgs.flatMap((svg) => [...svg.querySelectorAll("[data-m]")]).map((each) =>
-    each.localName === "g" ? [...each.children] : [each]);
+  const marks = svgs.flatMap((svg) => [...svg.querySelectorAll("[data-m]")]);
   const texts = svgs.flatMap((svg) => [...svg.querySelectorAll(".label")]);
   const names = labels(texts, data, out, counts), sizes = scales(root, data, out, state);
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
@@ -44,14 +43,17 @@ function picture(root, solve, data) {
       ...squeezed.map((place) => out[place])),
     t: ([at, from]) => pair((out[at[0]] - from[0]) * unit, (from[1] - out[at[1]]) * unit),
   };
+  // As a style, the place of a circle takes less of a frame than as two attributes.
   const set = {
-    // As a style, the place of a circle takes less of a frame than as two attributes.
-    c: ({ style }, text) => text.split(" ").forEach((each, n) => (style[n ? "cy" : "cx"] = `${each}px`)),
-    t: (element, text) => element.setAttribute("transform", `translate(${text})`),
+    c: ({ style }, text) => text.split(" ").forEach((each, n) => (style[n ? "cy" : "cx"] = each)),
+    t: ({ style }, text) => (style.translate = text),
   };
   const path = (element, text) => element.setAttribute(element.localName === "path" ? "d" : "points", text);
-  const moves = data.moves.map(([kind, ...parts], i) =>
-    ({ text: kinds[kind], set: set[kind] ?? path, parts, elements: elements[i], before: null }));
+  // A text moves with its halo, in one group: texts that move by themselves are laid out anew.
+  const moves = data.moves.map(([kind, ...parts], i) => ({
+    text: kinds[kind], set: set[kind] ?? path, parts, before: null,
+    elements: kind !== "t" && marks[i].localName === "g" ? [...marks[i].children] : [marks[i]],
+  }));
 
   function points(places) {
     let text = "";
@@ -63,7 +65,7 @@ function picture(root, solve, data) {
     return text;
   }
 
-  const pair = (u, v) => u - u === 0 && v - v === 0 ? `${round(u)} ${round(v)}` : "";
+  const pair = (u, v) => u - u === 0 && v - v === 0 ? `${round(u)}px ${round(v)}px` : "";
 
   function line(parts, end) {
     let path = "";

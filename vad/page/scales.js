@@ -134,7 +134,8 @@ function scales(root, data, out, state) {
         if (text.textContent !== words) text.textContent = words;
       } else {
         polygon.top.firstChild.style.setProperty("--n", long.toFixed(2));
-        polygon.top.lastChild.firstChild.data = words;
+        const text = polygon.top.lastChild.firstChild;
+        if (text.data !== words) text.data = words;
       }
     }
   }
