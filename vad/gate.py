@@ -76,13 +76,13 @@ def real(name: str, value: Any) -> float:
     """
     if type(value) is float:
         return value  # the usual case
-    wanted = "one number" if isinstance(value, list | tuple) else "a number"
+    several = isinstance(value, list | tuple)
     try:
         if isinstance(value, _NO_NUMBERS):
             raise TypeError
         kind = getattr(value, "dtype", None)  # numpy's: spans of time, truth values, arrays …
         if kind is not None and value.shape != ():
-            wanted = "one number"
+            several = True
             raise TypeError
         if kind is not None and kind.kind not in "iuf":
             raise TypeError
@@ -92,7 +92,9 @@ def real(name: str, value: Any) -> float:
     except ValueError:  # what signals that it is no number
         return math.nan
     except Exception:  # a class may raise anything when it is asked for a number
-        raise InputError(f"{_start(name)}must be {wanted}, got {quoted(value)}") from None
+        got = quoted(value)
+        wrong = f"must be one number, got {got}" if several else f"must be a number, got {got}"
+        raise InputError(f"{_start(name)}{wrong}") from None
 
 
 def array(name: str, value: object) -> NDArray[np.float64]:

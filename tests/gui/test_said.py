@@ -12,12 +12,15 @@ import pytest
 from starlette.testclient import TestClient
 
 import vad
+from tests.files.test_wrong_files import WRONG as WRONG_FILES
+from tests.files.test_wrong_files import refused
 from vad.errors import VadError
 from vad.gui.messages import Question
 from vad.gui.said import sayer, translated
 from vad.words import ENGLISH, Language, languages
 
 OTHERS = [code for code in languages() if code != ENGLISH]
+ENGLISH_WORDS = re.compile(r"\b(the|must|is|not|got|they|at|with|has|as|of|by|write|one|two)\b")
 #: What can be typed into a box, and what is wrong with it.
 WRONG: list[dict[str, Any]] = [
     {"mechanism": "four-bar", "parameters": {"crank": "vier"}},
@@ -48,10 +51,33 @@ def test_what_is_wrong_in_a_box_is_said_in_the_language_of_the_window(
     said, english = question.problem(caught.value), Question(**asked).problem(caught.value)
     assert english["message"] == str(caught.value) and english["hint"] == caught.value.hint
     assert said["message"] != english["message"]
-    assert not re.search(r"\b(the|must|is|not|got|they|at|with)\b", said["message"])
+    assert not ENGLISH_WORDS.search(said["message"])
     assert said["hint"] is None or said["hint"] != english["hint"]
     assert not re.search(r"\d\.\d", f"{said['message']} {said['hint']}"), "a decimal comma"
     assert said.get("try") == english.get("try") and said.get("field") == english.get("field")
+
+
+@pytest.mark.parametrize("code", OTHERS)
+@pytest.mark.parametrize(("old", "new"), [case[:2] for case in WRONG_FILES])
+def test_what_is_wrong_in_a_file_is_said_in_the_language_of_the_window(
+    old: str, new: str, code: str
+) -> None:
+    """What stands in quotes or braces is the file's own, and what a parser of TOML says is its."""
+    error, say = refused(old, new), Language(code)
+    for english in filter(None, (str(error), error.hint)):
+        said = translated(english, {}, say)
+        own = re.sub(r"'[^']*'|\"[^\"]*\"|{[^}]*}|\(upper|\[[^]]*\]|TOML.*", "", said)
+        assert said != english and not ENGLISH_WORDS.search(own), said
+
+
+def test_a_sentence_with_more_fixed_text_is_found_before_another() -> None:
+    say = Language("de")
+    assert translated("give the lines different directions", {}, say).startswith("gib den Geraden")
+    assert translated("give DC", {}, say) == "gib DC an"
+    assert translated("P: say on which it acts: on link", {}, say).endswith("wirkt: on link")
+    triangle = "the triangle ABC with sides 1.5, 2.5 and 9 does not close"
+    assert "1,5; 2,5 und 9" in translated(triangle, {}, say)
+    assert translated("as in { AB = 1.5 }", {}, say) == "wie in { AB = 1.5 }"
 
 
 @pytest.mark.parametrize("code", OTHERS)

@@ -72,7 +72,9 @@ def check_mobility(source: Source, description: Description) -> Mobility:
                 g for g in description.guides.values() if getattr(g.line, "link", "") == link.name
             ]
             if len(held) + len(lines) < 2:
-                key, hint = link.name, f"{link.name}: is held at {_at(held)} only"
+                key, hint = link.name, f"{link.name}: is held at no point"
+                if held:
+                    hint = f"{link.name}: is held at one point, {held[0]}, only"
                 break
     else:
         hint = "a link that only repeats a parallelogram can be left out"
@@ -127,10 +129,6 @@ def _check_guided(source: Source, description: Description) -> None:
     for point in description.guides:
         if not (point in through or point in description.fixed or description.links_at(point)):
             raise source.error("guides", point, f"{point}: slides, but no link has this point")
-
-
-def _at(points: list[str]) -> str:
-    return f"one point, {points[0]}," if points else "no point"
 
 
 def _bodies_at(description: Description, point: str) -> int:

@@ -1359,6 +1359,263 @@ ERRORS = {
         "mit diesen Längen ist {point} bei dieser Lage des Antriebs nicht zu erreichen: "
         "es fehlen {miss}"
     ),
+    "dead centre: B, C and D lie on one great circle": (
+        "Totlage: B, C und D liegen auf einem Großkreis"
+    ),
+    "dead centre: the coupler BC is square to the path of C": (
+        "Totlage: die Koppel BC steht senkrecht auf der Bahn von C"
+    ),
+    "dead centre: the axes at B, C and D are parallel to one plane": (
+        "Totlage: die Achsen in B, C und D sind zu einer Ebene parallel"
+    ),
+    "{angle} of arc": "{angle} im Bogen",
+    "{text} is no number and no expression": "{text} ist weder Zahl noch Ausdruck",
+    "write 60, '6 cm', or 'a/2' with a in [dimensions]": (
+        "schreibe 60, '6 cm' oder 'a/2' mit a in [dimensions]"
+    ),
+    "{text} has no value": "{text} hat keinen Wert",
+    "write {name} = 100 under [dimensions]": "schreibe {name} = 100 unter [dimensions]",
+    "write the expression where it is used": "schreibe den Ausdruck dort, wo er gebraucht wird",
+    "{text} must be positive, got {value}": "{text} muss positiv sein, nicht {value}",
+    "{text} must be between {low} and {high}, got {value}": (
+        "{text} muss zwischen {low} und {high} liegen, nicht {value}"
+    ),
+    "must be one number here, got an array": "muss hier eine einzige Zahl sein",
+    "must be the name of a unit, got {value}": "muss der Name einer Einheit sein, nicht {value}",
+    "must not be negative, got {value}": "darf nicht negativ sein, also nicht {value}",
+    "must be a line of text, without {signs}": "muss eine Zeile Text sein, ohne {signs}",
+    "has {count} letters, and may have {most}": "hat {count} Buchstaben und darf {most} haben",
+    "has {sign}, as no name may have": "enthält {sign}, was in keinem Namen stehen darf",
+    "write {name} ({signs})": "schreibe {name} ({signs})",
+    "is a word of the program's own": "ist ein Wort des Programms",
+    "call it {name}": "nenne es {name}",
+    "a dimension": "ein Maß",
+    "[{table}] has more than {most} entries": "[{table}] hat mehr als {most} Einträge",
+    "has more than {most} entries": "hat mehr als {most} Einträge",
+    "must be a table, got {value}": "muss eine Tabelle sein, nicht {value}",
+    "write [{table}]": "schreibe [{table}]",
+    "write [{table}] and below it {example}": "schreibe [{table}] und darunter {example}",
+    "{code} is no language": "{code} ist keine Sprache",
+    "the two letters of a language, as in [names.de]": (
+        "die zwei Buchstaben einer Sprache wie in [names.de]"
+    ),
+    "write a name, or leave it out": "schreibe einen Namen oder lass es weg",
+    "must be two coordinates, got {value}": "muss zwei Koordinaten haben, nicht {value}",
+    "write {point} = [0, 0]": "schreibe {point} = [0, 0]",
+    "write {point} = [0, 0] or {example}": "schreibe {point} = [0, 0] oder {example}",
+    "is no place": "ist kein Ort",
+    "{value} is no place": "{value} ist kein Ort",
+    "upper, lower, left, right, parallel, or coordinates near it": (
+        "upper (oben), lower (unten), left (links), right (rechts), parallel, oder Koordinaten "
+        "in der Nähe"
+    ),
+    "from {point}, which is no fixed point above it": (
+        "von {point} aus, was kein fester Punkt darüber ist"
+    ),
+    "a capital letter, or a letter with a number: O2": (
+        "ein Großbuchstabe oder ein Buchstabe mit einer Ziffer: O2"
+    ),
+    "the pose does not say where {point} is": "die Lage sagt nicht, wo {point} ist",
+    "add {point} = [0, 0] to [pose], or write its distances": (
+        "füge {point} = [0, 0] in [pose] hinzu oder schreibe seine Abstände"
+    ),
+    "is no line": "ist keine Gerade",
+    "a line is {examples} or {last}": "eine Gerade ist {examples} oder {last}",
+    "{point} is neither a fixed point nor one that slides": (
+        "{point} ist weder ein fester noch ein gleitender Punkt"
+    ),
+    "along = 'DC' is the slot of a link that turns": (
+        "along = 'DC' ist der Schlitz eines Glieds, das sich dreht"
+    ),
+    "must be two points of a link, got {value}": (
+        "muss zwei Punkte eines Glieds nennen, nicht {value}"
+    ),
+    "{links} have both": "{links} haben beide Punkte",
+    "{link} is a cylinder, which has no slot": "{link} ist ein Zylinder und hat keinen Schlitz",
+    "{point} is a point of {link} itself": "{point} ist selbst ein Punkt von {link}",
+    "only a link has a point under the block": "nur ein Glied hat einen Punkt unter dem Gleitstein",
+    "must be one point, got {value}": "muss ein einziger Punkt sein, nicht {value}",
+    "there is a point {point} already": "es gibt schon einen Punkt {point}",
+    "give it a name": "gib ihm einen Namen",
+    "{pair} is {other}, which is given already": "{pair} ist {other}, was schon gegeben ist",
+    "two letters are a distance, three an angle": (
+        "zwei Buchstaben sind ein Abstand, drei ein Winkel"
+    ),
+    "write 'clockwise' or 'counter-clockwise'": (
+        "schreibe 'clockwise' (im Uhrzeigersinn) oder 'counter-clockwise'"
+    ),
+    "fix the others to its neighbours": "befestige die anderen an seinen Nachbarn",
+    "only a cylinder has one": "nur ein Zylinder hat eine",
+    "only a cylinder's one length varies": "nur die eine Länge eines Zylinders ändert sich",
+    "{pair} is fixed already by the other distances": (
+        "{pair} ist durch die anderen Abstände schon festgelegt"
+    ),
+    "give {pair}": "gib {pair} an",
+    "add {pair} = 100": "füge {pair} = 100 hinzu",
+    "the longest side must be less than {length}": (
+        "die längste Seite muss kürzer als {length} sein"
+    ),
+    "join {link} to another link": "verbinde {link} mit einem anderen Glied",
+    "has {points} in common with {link}, so both are one link": (
+        "hat {points} mit {link} gemeinsam: beide sind ein einziges Glied"
+    ),
+    "{one} and {other} both have {points}: one link": (
+        "{one} und {other} haben beide {points}: ein einziges Glied"
+    ),
+    "is held at one point, {point}, only": "hängt nur an einem Punkt, {point}",
+    "a link that only repeats a parallelogram can be left out": (
+        "ein Glied, das nur ein Parallelogramm wiederholt, kann wegbleiben"
+    ),
+    (
+        "{links} can only be found together: a triad (Assur group of class III) or more, not "
+        "a pair that two arcs or lines locate"
+    ): (
+        "{links} sind nur zusammen zu finden: ein Dreischlag (Assur-Gruppe III. Klasse) oder "
+        "mehr, kein Zweischlag, den zwei Bögen oder Geraden festlegen"
+    ),
+    "driven at {links} it is dyads alone": "angetrieben an {links} sind es lauter Zweischläge",
+    "the {one} or the {other}": "{one} oder {other}",
+    "no other driver makes it dyads": "mit keinem anderen Antrieb werden es Zweischläge",
+    "add the links that it moves, as in {example}": (
+        "füge die Glieder hinzu, die es bewegt, wie in {example}"
+    ),
+    "one of its points must be on the {driver}, or on what the {driver} moves": (
+        "einer seiner Punkte muss auf {driver} liegen oder auf etwas, das {driver} bewegt"
+    ),
+    "one link or slide drives, not {count}": "ein Glied oder Gleitstück treibt an, nicht {count}",
+    "one link or slide drives, and none does": (
+        "ein Glied oder Gleitstück treibt an, hier aber keines"
+    ),
+    "neither of its two places is {place}, at {places}": (
+        "keiner seiner beiden Orte ist {place}: {places}"
+    ),
+    "nearer to {place}": "näher an {place}",
+    "say {words}": "schreibe {words}",
+    "begin with the driver elsewhere, where they lie apart": (
+        "beginne mit einer anderen Lage des Antriebs, bei der sie auseinander liegen"
+    ),
+    "cannot be so while {point} is {place}": "kann nicht so liegen, solange {point} „{place}“ ist",
+    "one of them is enough": "eines davon genügt",
+    "with {point} at its other place it would close": (
+        "mit {point} am anderen Ort würde es schließen"
+    ),
+    "two places have {points}": "zwei Orte haben {points}",
+    "must be places by point, got {value}": "muss Orte von Punkten nennen, nicht {value}",
+    "the links miss by {miss}": "den Gliedern fehlen {miss}",
+    "{pair} and the side opposite it differ by {length}": (
+        "{pair} und die Seite gegenüber unterscheiden sich um {length}"
+    ),
+    "a parallelogram has equal opposite sides": (
+        "im Parallelogramm sind gegenüberliegende Seiten gleich"
+    ),
+    "a parallelogram has two known sides and two unknown ones": (
+        "ein Parallelogramm hat zwei bekannte und zwei unbekannte Seiten"
+    ),
+    "{point} stands on the pivot {pivot}, where the {link} may point anywhere": (
+        "{point} steht auf dem Lager {pivot}, wo {link} beliebig stehen kann"
+    ),
+    "loop {number}": "Masche {number}",
+    "give the lines different directions": "gib den Geraden verschiedene Richtungen",
+    "stands still, for {driver} does not move it": "steht still, denn {driver} bewegt sie nicht",
+    "the angle of {link}": "der Winkel von {link}",
+    "the length of {link}": "die Länge von {link}",
+    "slides along two lines": "gleitet auf zwei Geraden",
+    "point {point}": "Punkt {point}",
+    "its distance": "sein Abstand",
+    "its angle": "sein Winkel",
+    "its distance must not be 0": "sein Abstand darf nicht 0 sein",
+    "there is the first end of the link": "dort ist das erste Ende des Glieds",
+    "the mechanism has a point {point} already": "das Getriebe hat schon einen Punkt {point}",
+    "free are {points} …": "frei sind {points} …",
+    "points are marked on links in the plane alone": (
+        "nur auf ebenen Gliedern lassen sich Punkte bezeichnen"
+    ),
+    "is missing; a ram needs a rod and a ram_height": (
+        "fehlt; ein Stößel braucht rod und ram_height"
+    ),
+    "must have a force, a couple or a table": (
+        "muss eine Kraft (force), ein Moment (couple) oder eine Tabelle (table) haben"
+    ),
+    "must be places and loads, or a file beside this": (
+        "muss Orte und Lasten enthalten oder eine Datei daneben nennen"
+    ),
+    "must be words and numbers, got {value}": "muss Wörter und Zahlen haben, nicht {value}",
+    "must be one number or two, got {value}": "muss eine oder zwei Zahlen sein, nicht {value}",
+    "mass of {body}": "Masse von {body}",
+    "load {number}": "Last {number}",
+    "{point} is no point of {link}": "{point} ist kein Punkt von {link}",
+    "{point} is a point of {links}": "{point} ist ein Punkt von {links}",
+    "{point} is on {links}": "{point} ist auf {links}",
+    "say on which it acts: {examples}": "sage, auf welches sie wirkt: {examples}",
+    "{body} does not turn: its guide takes the couple": (
+        "{body} dreht sich nicht: die Führung nimmt das Moment auf"
+    ),
+    "{body} does not turn, so it has no moment of inertia": (
+        "{body} dreht sich nicht und hat darum kein Trägheitsmoment"
+    ),
+    "a couple needs a body": "ein Moment braucht einen Körper",
+    "a couple acts on {bodies}": "ein Moment wirkt auf {bodies}",
+    "reaches from {low} to {high}, and the driver is at {place}": (
+        "reicht von {low} bis {high}, und der Antrieb steht bei {place}"
+    ),
+    "a table needs two rows or more": "eine Tabelle braucht zwei Zeilen oder mehr",
+    "has {count} columns, not two": "hat {count} Spalten statt zwei",
+    "has more than {count} rows": "hat mehr als {count} Zeilen",
+    "two columns: the driver's place, and the load there": (
+        "zwei Spalten: die Lage des Antriebs und die Last dort"
+    ),
+    "{text} is no pair of numbers": "{text} ist kein Zahlenpaar",
+    "its places must ascend, but {place} follows {other}": (
+        "seine Lagen müssen steigen, aber {place} folgt auf {other}"
+    ),
+    "must be at most {most}, got {value}": "darf höchstens {most} sein, nicht {value}",
+    "a window takes at most {most}, got {count}": (
+        "ein Fenster nimmt höchstens {most}, nicht {count}"
+    ),
+    "a window takes at most {most} loads, got {count}": (
+        "ein Fenster nimmt höchstens {most} Lasten, nicht {count}"
+    ),
+    (
+        "the page has no room for {panels} panels with {rows} rows of results and captions "
+        "of {lines} lines"
+    ): (
+        "die Seite hat keinen Platz für {panels} Bilder mit {rows} Zeilen Ergebnissen und "
+        "{lines} Zeilen Text"
+    ),
+    "draw fewer panels": "zeichne weniger Bilder",
+    "a drawing has room for {most} on links, got {count}": (
+        "eine Zeichnung hat Platz für {most} auf Gliedern, nicht {count}"
+    ),
+    "the program is ending": "das Programm wird beendet",
+    "the planes of the shafts and of the cross are one": (
+        "Totlage: die Wellen und das Kreuz liegen in einer Ebene"
+    ),
+    "{owner} is called {name} already": "{owner} heißt schon {name}",
+    "a rod": "eine Kolbenstange",
+    "a slide": "ein Gleitstück",
+    "a link": "ein Glied",
+    "is held at no point": "hängt an keinem Punkt",
+    "{count}, not 1": "{count} statt 1",
+    "{links} links and {joints} joints give {sum} degrees of freedom": (
+        "{links} Glieder und {joints} Gelenke ergeben {sum} Freiheitsgrade"
+    ),
+    "the {side} one": "„{side}“",
+    "{line} under [assembly]": "{line} unter [assembly]",
+    "the lines of {slides} are parallel": "die Geraden von {slides} sind parallel",
+    "{lines}, so that all between them slides along without a limit": (
+        "{lines}, sodass alles dazwischen ohne Ende gleitet"
+    ),
+    "{lines} and never cross": "{lines} und schneiden sich nie",
+    "must be one number, got {value}": "muss eine einzige Zahl sein, nicht {value}",
+    "vad example {name} makes a file to begin with": (
+        "vad example {name} macht eine Datei für den Anfang"
+    ),
+    "on {bodies}": "auf {bodies}",
+    "unknown {what} in {table} {name}": "{name} ist in {table} unbekannt",
+    "unknown {what} of {owner} {name}": "{name} ist bei {owner} unbekannt",
+    "unknown {what} with two places {name}": "{name} hat keine zwei Orte",
+    "as in {example}, where {name} is its name": "wie in {example}, wobei {name} sein Name ist",
+    "{point} is no point of a link": "{point} ist kein Punkt eines Glieds",
 }
 
 #: Womit die Lösungen eines Entwurfs beschrieben werden.

@@ -1346,6 +1346,259 @@ ERRORS = {
         "avec ces longueurs, {point} est hors d’atteinte à cette position de la pièce menante : "
         "il manque {miss}"
     ),
+    "dead centre: B, C and D lie on one great circle": (
+        "point mort : B, C et D sont sur un seul grand cercle"
+    ),
+    "dead centre: the coupler BC is square to the path of C": (
+        "point mort : la bielle BC est perpendiculaire à la trajectoire de C"
+    ),
+    "dead centre: the axes at B, C and D are parallel to one plane": (
+        "point mort : les axes en B, C et D sont parallèles à un même plan"
+    ),
+    "{angle} of arc": "{angle} d’arc",
+    "{text} is no number and no expression": "{text} n’est ni un nombre ni une expression",
+    "write 60, '6 cm', or 'a/2' with a in [dimensions]": (
+        "écrivez 60, '6 cm' ou 'a/2' avec a dans [dimensions]"
+    ),
+    "{text} has no value": "{text} n’a pas de valeur",
+    "write {name} = 100 under [dimensions]": "écrivez {name} = 100 sous [dimensions]",
+    "write the expression where it is used": "écrivez l’expression là où elle sert",
+    "{text} must be positive, got {value}": "{text} doit être positif, pas {value}",
+    "{text} must be between {low} and {high}, got {value}": (
+        "{text} doit être entre {low} et {high}, pas {value}"
+    ),
+    "must be one number here, got an array": "doit être ici un seul nombre",
+    "must be the name of a unit, got {value}": "doit être le nom d’une unité, pas {value}",
+    "must not be negative, got {value}": "ne doit pas être négatif, donc pas {value}",
+    "must be a line of text, without {signs}": "doit être une ligne de texte, sans {signs}",
+    "has {count} letters, and may have {most}": "a {count} lettres et peut en avoir {most}",
+    "has {sign}, as no name may have": "contient {sign}, qu’aucun nom ne peut avoir",
+    "write {name} ({signs})": "écrivez {name} ({signs})",
+    "is a word of the program's own": "est un mot du programme",
+    "call it {name}": "nommez-le {name}",
+    "a dimension": "une dimension",
+    "[{table}] has more than {most} entries": "[{table}] a plus de {most} entrées",
+    "has more than {most} entries": "a plus de {most} entrées",
+    "must be a table, got {value}": "doit être un tableau, pas {value}",
+    "write [{table}]": "écrivez [{table}]",
+    "write [{table}] and below it {example}": "écrivez [{table}] et en dessous {example}",
+    "{code} is no language": "{code} n’est pas une langue",
+    "the two letters of a language, as in [names.de]": (
+        "les deux lettres d’une langue, comme dans [names.de]"
+    ),
+    "write a name, or leave it out": "écrivez un nom, ou laissez-le de côté",
+    "must be two coordinates, got {value}": "doit avoir deux coordonnées, pas {value}",
+    "write {point} = [0, 0]": "écrivez {point} = [0, 0]",
+    "write {point} = [0, 0] or {example}": "écrivez {point} = [0, 0] ou {example}",
+    "is no place": "n’est pas une position",
+    "{value} is no place": "{value} n’est pas une position",
+    "upper, lower, left, right, parallel, or coordinates near it": (
+        "upper (en haut), lower (en bas), left (à gauche), right (à droite), parallel, ou des "
+        "coordonnées proches"
+    ),
+    "from {point}, which is no fixed point above it": (
+        "depuis {point}, qui n’est pas un point fixe écrit au-dessus"
+    ),
+    "a capital letter, or a letter with a number: O2": (
+        "une majuscule, ou une lettre avec un chiffre : O2"
+    ),
+    "the pose does not say where {point} is": "la pose ne dit pas où se trouve {point}",
+    "add {point} = [0, 0] to [pose], or write its distances": (
+        "ajoutez {point} = [0, 0] à [pose], ou écrivez ses distances"
+    ),
+    "is no line": "n’est pas une droite",
+    "a line is {examples} or {last}": "une droite est {examples} ou {last}",
+    "{point} is neither a fixed point nor one that slides": (
+        "{point} n’est ni un point fixe ni un point qui glisse"
+    ),
+    "along = 'DC' is the slot of a link that turns": (
+        "along = 'DC' est la rainure d’une pièce qui tourne"
+    ),
+    "must be two points of a link, got {value}": "doit nommer deux points d’une pièce, pas {value}",
+    "{links} have both": "{links} ont les deux points",
+    "{link} is a cylinder, which has no slot": "{link} est un vérin, qui n’a pas de rainure",
+    "{point} is a point of {link} itself": "{point} est lui-même un point de {link}",
+    "only a link has a point under the block": "seule une pièce a un point sous le coulisseau",
+    "must be one point, got {value}": "doit être un seul point, pas {value}",
+    "there is a point {point} already": "il y a déjà un point {point}",
+    "give it a name": "donnez-lui un nom",
+    "{pair} is {other}, which is given already": "{pair} est {other}, déjà donné",
+    "two letters are a distance, three an angle": "deux lettres sont une distance, trois un angle",
+    "write 'clockwise' or 'counter-clockwise'": (
+        "écrivez 'clockwise' (sens horaire) ou 'counter-clockwise'"
+    ),
+    "fix the others to its neighbours": "fixez les autres à ses voisins",
+    "only a cylinder has one": "seul un vérin en a une",
+    "only a cylinder's one length varies": "seule la longueur d’un vérin varie",
+    "{pair} is fixed already by the other distances": (
+        "{pair} est déjà fixé par les autres distances"
+    ),
+    "give {pair}": "donnez {pair}",
+    "add {pair} = 100": "ajoutez {pair} = 100",
+    "the longest side must be less than {length}": (
+        "le plus long côté doit être inférieur à {length}"
+    ),
+    "join {link} to another link": "reliez {link} à une autre pièce",
+    "has {points} in common with {link}, so both are one link": (
+        "a {points} en commun avec {link} : les deux ne font qu’une pièce"
+    ),
+    "{one} and {other} both have {points}: one link": (
+        "{one} et {other} ont tous deux {points} : une seule pièce"
+    ),
+    "is held at one point, {point}, only": "ne tient qu’à un point, {point}",
+    "a link that only repeats a parallelogram can be left out": (
+        "une pièce qui ne fait que répéter un parallélogramme peut être omise"
+    ),
+    (
+        "{links} can only be found together: a triad (Assur group of class III) or more, not "
+        "a pair that two arcs or lines locate"
+    ): (
+        "{links} ne se trouvent qu’ensemble : un groupe d’Assur de classe III ou plus, pas une "
+        "dyade que deux arcs ou droites déterminent"
+    ),
+    "driven at {links} it is dyads alone": "menée par {links}, ce ne sont que des dyades",
+    "the {one} or the {other}": "{one} ou {other}",
+    "no other driver makes it dyads": "aucune autre pièce menante n’en fait des dyades",
+    "add the links that it moves, as in {example}": (
+        "ajoutez les pièces qu’elle meut, comme dans {example}"
+    ),
+    "one of its points must be on the {driver}, or on what the {driver} moves": (
+        "un de ses points doit être sur {driver}, ou sur ce que {driver} meut"
+    ),
+    "one link or slide drives, not {count}": (
+        "une seule pièce ou un seul coulisseau est moteur, pas {count}"
+    ),
+    "one link or slide drives, and none does": (
+        "une pièce ou un coulisseau est moteur, et il n’y en a pas"
+    ),
+    "neither of its two places is {place}, at {places}": (
+        "aucune de ses deux positions n’est {place} : {places}"
+    ),
+    "nearer to {place}": "plus proche de {place}",
+    "say {words}": "écrivez {words}",
+    "begin with the driver elsewhere, where they lie apart": (
+        "commencez par une autre position de la pièce menante, où elles sont distinctes"
+    ),
+    "cannot be so while {point} is {place}": "ne peut être ainsi tant que {point} est « {place} »",
+    "one of them is enough": "une des deux suffit",
+    "with {point} at its other place it would close": (
+        "avec {point} à son autre position, cela fermerait"
+    ),
+    "two places have {points}": "deux positions ont {points}",
+    "must be places by point, got {value}": "doit donner des positions par point, pas {value}",
+    "the links miss by {miss}": "il manque {miss} aux pièces",
+    "{pair} and the side opposite it differ by {length}": (
+        "{pair} et le côté opposé diffèrent de {length}"
+    ),
+    "a parallelogram has equal opposite sides": (
+        "dans un parallélogramme, les côtés opposés sont égaux"
+    ),
+    "a parallelogram has two known sides and two unknown ones": (
+        "un parallélogramme a deux côtés connus et deux inconnus"
+    ),
+    "{point} stands on the pivot {pivot}, where the {link} may point anywhere": (
+        "{point} est sur le pivot {pivot}, où {link} peut prendre toute direction"
+    ),
+    "loop {number}": "boucle {number}",
+    "give the lines different directions": "donnez aux droites des directions différentes",
+    "stands still, for {driver} does not move it": "reste immobile, car {driver} ne la meut pas",
+    "the angle of {link}": "l’angle de {link}",
+    "the length of {link}": "la longueur de {link}",
+    "slides along two lines": "glisse sur deux droites",
+    "point {point}": "point {point}",
+    "its distance": "sa distance",
+    "its angle": "son angle",
+    "its distance must not be 0": "sa distance ne doit pas être 0",
+    "there is the first end of the link": "là se trouve la première extrémité de la pièce",
+    "the mechanism has a point {point} already": "le mécanisme a déjà un point {point}",
+    "free are {points} …": "sont libres {points} …",
+    "points are marked on links in the plane alone": (
+        "seules les pièces planes reçoivent des points"
+    ),
+    "is missing; a ram needs a rod and a ram_height": (
+        "manque ; un coulant demande rod et ram_height"
+    ),
+    "must have a force, a couple or a table": "doit avoir une force, un couple ou une table",
+    "must be places and loads, or a file beside this": (
+        "doit contenir des positions et des charges, ou nommer un fichier à côté"
+    ),
+    "must be words and numbers, got {value}": "doit avoir des mots et des nombres, pas {value}",
+    "must be one number or two, got {value}": "doit être un ou deux nombres, pas {value}",
+    "mass of {body}": "masse de {body}",
+    "load {number}": "charge {number}",
+    "{point} is no point of {link}": "{point} n’est pas un point de {link}",
+    "{point} is a point of {links}": "{point} est un point de {links}",
+    "{point} is on {links}": "{point} est sur {links}",
+    "say on which it acts: {examples}": "dites sur laquelle elle agit : {examples}",
+    "{body} does not turn: its guide takes the couple": (
+        "{body} ne tourne pas : sa glissière reprend le couple"
+    ),
+    "{body} does not turn, so it has no moment of inertia": (
+        "{body} ne tourne pas et n’a donc pas de moment d’inertie"
+    ),
+    "a couple needs a body": "un couple demande un corps",
+    "a couple acts on {bodies}": "un couple agit sur {bodies}",
+    "reaches from {low} to {high}, and the driver is at {place}": (
+        "va de {low} à {high}, et la pièce menante est à {place}"
+    ),
+    "a table needs two rows or more": "une table demande deux lignes ou plus",
+    "has {count} columns, not two": "a {count} colonnes au lieu de deux",
+    "has more than {count} rows": "a plus de {count} lignes",
+    "two columns: the driver's place, and the load there": (
+        "deux colonnes : la position de la pièce menante, et la charge à cet endroit"
+    ),
+    "{text} is no pair of numbers": "{text} n’est pas une paire de nombres",
+    "its places must ascend, but {place} follows {other}": (
+        "ses positions doivent croître, mais {place} suit {other}"
+    ),
+    "must be at most {most}, got {value}": "doit être au plus {most}, pas {value}",
+    "a window takes at most {most}, got {count}": (
+        "une fenêtre en prend au plus {most}, pas {count}"
+    ),
+    "a window takes at most {most} loads, got {count}": (
+        "une fenêtre prend au plus {most} charges, pas {count}"
+    ),
+    (
+        "the page has no room for {panels} panels with {rows} rows of results and captions "
+        "of {lines} lines"
+    ): (
+        "la page n’a pas la place pour {panels} dessins avec {rows} lignes de résultats et "
+        "{lines} lignes de texte"
+    ),
+    "draw fewer panels": "dessinez moins de panneaux",
+    "a drawing has room for {most} on links, got {count}": (
+        "un dessin a la place pour {most} sur les pièces, pas {count}"
+    ),
+    "the program is ending": "le programme se termine",
+    "the planes of the shafts and of the cross are one": (
+        "point mort : les arbres et le croisillon sont dans un seul plan"
+    ),
+    "{owner} is called {name} already": "{owner} s’appelle déjà {name}",
+    "a rod": "une tige",
+    "a slide": "un coulisseau",
+    "a link": "une pièce",
+    "is held at no point": "ne tient à aucun point",
+    "{count}, not 1": "{count} au lieu de 1",
+    "{links} links and {joints} joints give {sum} degrees of freedom": (
+        "{links} pièces et {joints} liaisons donnent {sum} degrés de liberté"
+    ),
+    "the {side} one": "« {side} »",
+    "{line} under [assembly]": "{line} sous [assembly]",
+    "the lines of {slides} are parallel": "les droites de {slides} sont parallèles",
+    "{lines}, so that all between them slides along without a limit": (
+        "{lines} : tout ce qui est entre elles glisse sans fin"
+    ),
+    "{lines} and never cross": "{lines} et ne se coupent jamais",
+    "must be one number, got {value}": "doit être un seul nombre, pas {value}",
+    "vad example {name} makes a file to begin with": (
+        "vad example {name} fait un fichier pour commencer"
+    ),
+    "on {bodies}": "sur {bodies}",
+    "unknown {what} in {table} {name}": "{name} est inconnu dans {table}",
+    "unknown {what} of {owner} {name}": "{name} est inconnu pour {owner}",
+    "unknown {what} with two places {name}": "{name} n’a pas deux positions",
+    "as in {example}, where {name} is its name": "comme dans {example}, où {name} est son nom",
+    "{point} is no point of a link": "{point} n’est pas un point d’une pièce",
 }
 
 #: Ce qui décrit les solutions d'une synthèse.
