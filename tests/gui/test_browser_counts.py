@@ -24,10 +24,10 @@ MOVES = 24
 #: kilobytes of its lesson; elements that the browser styles for it, and objects that it lays out.
 #: They lie 1.3 times above what is needed.
 MOST = {
-    "four-bar": (54, 28, 83, 26, 99),
-    "hooke-joint": (81, 140, 125, 53, 145),
-    "spherical-four-bar": (84, 502, 165, 58, 140),
-    "whitworth": (63, 46, 88, 32, 117),
+    "four-bar": (54, 29, 83, 16, 87),
+    "hooke-joint": (87, 177, 125, 31, 133),
+    "spherical-four-bar": (84, 568, 165, 32, 110),
+    "whitworth": (63, 63, 88, 18, 102),
 }
 #: Milliseconds from one text to the next while the hand moves.
 LEGIBLE = 120

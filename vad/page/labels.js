@@ -253,7 +253,9 @@ function labels(texts, data, out, counts) {
     tick++;
     for (const group of placed) {
       const around = columns[group.column], kept = free(group, group.round, group.gap, around);
-      if (kept >= group.clear) {
+      // One with a leader, which rests, now and then looks for a place without one.
+      const led = group.gap >= group.leader && group.still && (calm || (tick + group.members[0].number) % SELDOM === 0);
+      if (kept >= group.clear && !led) {
         if (group.gap && group.still && free(group, group.round, group.gap - 1, around, 0.002)) group.gap--;
         settle(group, around);
       } else open.push(group);
