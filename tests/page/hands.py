@@ -52,7 +52,7 @@ _WALK = """(count) => {
     }
   }
   function check(before) {
-    const shown = names.all.filter((each) => each.shell.style.display !== "none");
+    const shown = names.all.filter((each) => each.shell.style.visibility !== "hidden");
     const at = (each) => {
       const [, x, y] = /translate\\((\\S+)px, (\\S+)px\\)/.exec(each.shell.style.transform);
       return [+x / unit, -y / unit];

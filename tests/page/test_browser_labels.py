@@ -132,14 +132,14 @@ def test_the_angle_and_the_sense_follow(page: Page) -> None:
     arrow = """() => {
       const bow = given.moves.findLastIndex(([kind]) => kind === "b");
       const element = document.querySelectorAll("[data-m]")[bow];
-      return [element.style.display, element.getAttribute("d")];
+      return [element.style.visibility, element.getAttribute("d")];
     }"""
     shown, forward = page.evaluate(arrow)
     assert shown == ""
     paint(page, omega=-10)
     assert page.evaluate(arrow)[1] != forward
     paint(page, omega=0)
-    assert page.evaluate(arrow)[0] == "none"
+    assert page.evaluate(arrow)[0] == "hidden"
 
 
 @pytest.mark.parametrize("name", ["double-slider", "spatial-four-bar"])

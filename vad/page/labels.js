@@ -20,7 +20,7 @@ function vanished(out, apart, u, v) {
 
 function labels(texts, data, out, counts) {
   const [unit, , top] = data.page, groups = new Map(), joined = new Set();
-  let hidden = 0, tick = 0;
+  let hidden = 0, tick = 0, softly = false;
 
   const all = data.labels.map(([half, dot, wide, high, at, near, way, apart, value], number) => {
     const text = texts[number].querySelector("text"), base = +text.getAttribute("y") / unit - top;
@@ -251,6 +251,7 @@ function labels(texts, data, out, counts) {
     const placed = grouped(found), open = [];
     let late = false;
     tick++;
+    softly = !calm;
     for (const group of placed) {
       const around = columns[group.column], kept = free(group, group.round, group.gap, around);
       // One with a leader, which rests, now and then looks for a place without one.
@@ -315,7 +316,7 @@ function labels(texts, data, out, counts) {
         each.comma.textContent = ",";
         each.shell.append(each.comma);
       }
-      if (each.comma) each.comma.style.display = comma ? "" : "none";
+      if (each.comma) each.comma.style.visibility = comma ? "" : "hidden";
       let line = "";
       if (!n && group.off > group.gaps[group.leader - 1] + 1e-6)
         line = "M" + lead(group, x, y).map((value, k) => Math.round((value - (k % 2 ? group.v + y + b : group.u + x + a)) * (k % 2 ? -10 : 10) * unit) / 10).join(" ");
@@ -329,7 +330,12 @@ function labels(texts, data, out, counts) {
   function put(each, where, line = "") {
     if (each.shown !== where) {
       counts.attributes++;
-      if (!where !== !each.shown || each.shown === undefined) each.shell.style.display = where ? "" : "none";
+      if (!where !== !each.shown) {
+        each.shell.style.visibility = where ? "" : "hidden";
+        // What comes back at once was hidden for a step; what has found a place appears softly.
+        if (!where) each.gone = tick;
+        else if (softly && tick - each.gone > SELDOM) each.shell.animate({ opacity: [0, 1] }, 150);
+      }
       if (where) each.shell.style.transform = where; // takes a twentieth less of a frame than the attribute
       each.shown = where;
     }
@@ -344,6 +350,6 @@ function labels(texts, data, out, counts) {
     each.leads.setAttribute("d", each.line = line);
   }
 
-  for (const each of all) each.shell.style.display = "none";
+  for (const each of all) each.shell.style.visibility = "hidden";
   return { place, all, groups, get hidden() { return hidden; } };
 }

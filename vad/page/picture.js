@@ -17,8 +17,8 @@
 
 // Degrees: a shorter arc is no arc.
 const NO_SWEEP = 1e-6;
-// Milliseconds within which poses come frame after frame. Then labels follow in every second frame:
-// they take a quarter of one, and nobody sees that a label is late by a sixtieth of a second.
+// Milliseconds within which poses come frame after frame. Then all letters follow in every second frame:
+// they take a quarter of one, and nobody sees that a letter is late by a sixtieth of a second.
 const ROW = 25;
 
 function picture(root, solve, data) {
@@ -28,8 +28,7 @@ function picture(root, solve, data) {
   const round = (value) => Math.round(value * 100) / 100;
   const svgs = [...root.querySelectorAll(".drawing svg")];
   const marks = svgs.flatMap((svg) => [...svg.querySelectorAll("[data-m]")]);
-  const texts = svgs.flatMap((svg) => [...svg.querySelectorAll(".label")]);
-  const names = labels(texts, data, out, counts), sizes = scales(root, data, out, state);
+  const names = labels(svgs.flatMap((svg) => [...svg.querySelectorAll(".label")]), data, out, counts), sizes = scales(root, data, out, state);
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   const listeners = [];
   let frame = 0, fresh = true, given = [], last = 0, behind = false;
@@ -50,10 +49,11 @@ function picture(root, solve, data) {
   };
   const path = (element, text) => element.setAttribute(element.localName === "path" ? "d" : "points", text);
   // A text moves with its halo, in one group: texts that move by themselves are laid out anew.
-  const moves = data.moves.map(([kind, ...parts], i) => ({
+  const all = data.moves.map(([kind, ...parts], i) => ({
     text: kinds[kind], set: set[kind] ?? path, parts, before: null,
     elements: kind !== "t" && marks[i].localName === "g" ? [...marks[i].children] : [marks[i]],
   }));
+  const texts = all.filter(({ set: own }) => own === set.t), lines = all.filter((move) => !texts.includes(move));
 
   function points(places) {
     let text = "";
@@ -111,30 +111,38 @@ function picture(root, solve, data) {
     find();
     const moving = sizes.choose(still);
     if (moving) find();
-    sizes.state();
-    for (const move of moves) {
-      const text = move.text(move.parts);
-      if (text === move.before) continue;
-      for (const element of move.elements) {
-        if (!text !== !move.before || move.before === null) element.style.display = text ? "" : "none";
-        if (text) move.set(element, text);
-        counts.attributes++;
-      }
-      move.before = text;
-    }
+    draw(lines);
     lettered(still, moving && !still && (() => {
       paint(given);
       for (const listener of listeners) listener();
     }));
   }
 
-  // Places the labels. What is to follow comes in the next frame; without it labels may glide on alone.
+  function draw(moves) {
+    for (const move of moves) {
+      const text = move.text(move.parts);
+      if (text === move.before) continue;
+      for (const element of move.elements) {
+        if (!text !== !move.before || move.before === null) element.style.visibility = text ? "" : "hidden";
+        if (text) move.set(element, text);
+        counts.attributes++;
+      }
+      move.before = text;
+    }
+  }
+
+  // Draws bars and texts and places the labels. What is to follow comes in the next frame; without it
+  // labels may glide on alone.
   function lettered(still, next) {
+    if (!behind) {
+      sizes.state();
+      draw(texts);
+    }
     const gliding = behind || names.place(still);
     if (root.dataset.hidden !== `${names.hidden}`) root.dataset.hidden = names.hidden;
     if (!next && !gliding) return;
     // A pose that a pointer has set is painted before the animations of its frame: this is for the next.
-    const painted = performance.now(), glide = next || (() => { behind = false; lettered(calm.matches); });
+    const painted = performance.now(), glide = next || (() => { behind = false; find(); lettered(calm.matches); });
     const later = (time) => { if (time < painted) frame = requestAnimationFrame(later); else glide(); };
     frame = requestAnimationFrame(later);
   }
