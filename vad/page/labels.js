@@ -253,10 +253,10 @@ function labels(texts, data, out, counts) {
     tick++;
     softly = !calm;
     for (const group of placed) {
-      const around = columns[group.column], kept = free(group, group.round, group.gap, around);
+      const around = columns[group.column];
       // One with a leader, which rests, now and then looks for a place without one.
       const led = group.gap >= group.leader && group.still && (calm || (tick + group.members[0].number) % SELDOM === 0);
-      if (kept >= group.clear && !led) {
+      if (!led && free(group, group.round, group.gap, around) >= group.clear) {
         if (group.gap && group.still && free(group, group.round, group.gap - 1, around, 0.002)) group.gap--;
         settle(group, around);
       } else open.push(group);

@@ -53,7 +53,7 @@ function picture(root, solve, data) {
     text: kinds[kind], set: set[kind] ?? path, parts, before: null,
     elements: kind !== "t" && marks[i].localName === "g" ? [...marks[i].children] : [marks[i]],
   }));
-  const texts = all.filter(({ set: own }) => own === set.t), lines = all.filter((move) => !texts.includes(move));
+  const texts = all.filter(({ set: own }) => own === set.t), lines = all.filter(({ set: own }) => own !== set.t);
 
   function points(places) {
     let text = "";
@@ -118,6 +118,7 @@ function picture(root, solve, data) {
     }));
   }
 
+  // Sets the attributes of marks that have changed.
   function draw(moves) {
     for (const move of moves) {
       const text = move.text(move.parts);
