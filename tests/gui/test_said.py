@@ -77,6 +77,11 @@ def test_a_sentence_with_more_fixed_text_is_found_before_another() -> None:
     assert translated("P: say on which it acts: on link", {}, say).endswith("wirkt: on link")
     triangle = "the triangle ABC with sides 1.5, 2.5 and 9 does not close"
     assert "1,5; 2,5 und 9" in translated(triangle, {}, say)
+    for links, said in {"crank": "crank", "a or the b or the c": "a oder b oder c"}.items():
+        sentence = translated(f"driven at the {links} it is dyads alone", {}, say)
+        assert sentence == f"angetrieben an {said} sind es lauter Zweischläge"
+    assert translated("say right or left", {}, say) == "schreibe right oder left"
+    assert translated("'this or that' is no place", {}, say).startswith("'this or that'")
     assert translated("as in { AB = 1.5 }", {}, say) == "wie in { AB = 1.5 }"
 
 

@@ -144,9 +144,8 @@ def _driver(
     """Return what drives, and its usual motion."""
     table = source.table("driver")
     if len(table) != 1:
-        message = f"one link or slide drives, not {len(table)}"
-        if not table:
-            message = "one link or slide drives, and none does"
+        several = f"one link or slide drives, not {len(table)}"
+        message = several if table else "one link or slide drives, and none does"
         raise source.error("driver", "", message, "as in crank = { angle = 60, omega = 10 }")
     ((name, value),) = table.items()
     slides = [guide.slide for guide in bound.values()]

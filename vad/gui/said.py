@@ -22,6 +22,8 @@ from vad.words import Language, all_languages
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
 #: What parts two numbers, where a comma would begin decimals.
 _COMMA = re.compile(r"(?<=\d),(?= -?\d)")
+#: What parts names of which one is meant, as in "the crank or the rocker"; no word within quotes.
+_OR = re.compile(r" or (?:the )?(?=[^']*$)")
 #: Gaps that are lines of a file or of a command: there a decimal sign is a point.
 _CODE = ("example", "examples", "last", "line", "table")
 #: Where something stands in a file.
@@ -91,13 +93,15 @@ def sayer(accepted: str) -> Callable[[str], str]:
 
 def _gap(text: str, names: Mapping[str, str], say: Language, *, within: bool) -> str:
     """Return the text of a gap: a name, numbers, a sentence of the table, or several of them."""
+    either = say.page("HAND")["or"]
 
     def own(part: str) -> str:
         return names.get(part) or (_said(part, names, say, within=False) if within else part)
 
     found = own(text)
     if found == text:
-        found = reduce(lambda a, b: say.say("and", first=a, last=b), map(own, text.split(" and ")))
+        parts = (either.join(map(own, _OR.split(part))) for part in text.split(" and "))
+        found = reduce(lambda first, last: say.say("and", first=first, last=last), parts)
     if say.point != "." and _POINT.search(found) and "[" not in found:
         found = _COMMA.sub(";", found)
     return _POINT.sub(say.point, found)

@@ -1327,7 +1327,6 @@ ERRORS = {
     ),
     "a cylinder has two points": "ein Zylinder hat zwei Punkte",
     "no link has both {one} and {other}": "kein Glied hat {one} und {other}",
-    "a link is called {name} already": "ein Glied heißt schon {name}",
     "is longer than {count} bytes": "ist länger als {count} Bytes",
     "is no text in UTF-8": "ist kein Text in UTF-8",
     "must be a table": "muss eine Tabelle sein",
@@ -1389,7 +1388,6 @@ ERRORS = {
     "write {name} ({signs})": "schreibe {name} ({signs})",
     "is a word of the program's own": "ist ein Wort des Programms",
     "call it {name}": "nenne es {name}",
-    "a dimension": "ein Maß",
     "[{table}] has more than {most} entries": "[{table}] hat mehr als {most} Einträge",
     "has more than {most} entries": "hat mehr als {most} Einträge",
     "must be a table, got {value}": "muss eine Tabelle sein, nicht {value}",
@@ -1473,8 +1471,7 @@ ERRORS = {
         "{links} sind nur zusammen zu finden: ein Dreischlag (Assur-Gruppe III. Klasse) oder "
         "mehr, kein Zweischlag, den zwei Bögen oder Geraden festlegen"
     ),
-    "driven at {links} it is dyads alone": "angetrieben an {links} sind es lauter Zweischläge",
-    "the {one} or the {other}": "{one} oder {other}",
+    "driven at the {links} it is dyads alone": "angetrieben an {links} sind es lauter Zweischläge",
     "no other driver makes it dyads": "mit keinem anderen Antrieb werden es Zweischläge",
     "add the links that it moves, as in {example}": (
         "füge die Glieder hinzu, die es bewegt, wie in {example}"

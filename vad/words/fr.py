@@ -1312,7 +1312,6 @@ ERRORS = {
     ),
     "a cylinder has two points": "un vérin a deux points",
     "no link has both {one} and {other}": "aucune pièce n’a {one} et {other}",
-    "a link is called {name} already": "une pièce s’appelle déjà {name}",
     "is longer than {count} bytes": "dépasse {count} octets",
     "is no text in UTF-8": "n’est pas du texte en UTF-8",
     "must be a table": "doit être un tableau",
@@ -1376,7 +1375,6 @@ ERRORS = {
     "write {name} ({signs})": "écrivez {name} ({signs})",
     "is a word of the program's own": "est un mot du programme",
     "call it {name}": "nommez-le {name}",
-    "a dimension": "une dimension",
     "[{table}] has more than {most} entries": "[{table}] a plus de {most} entrées",
     "has more than {most} entries": "a plus de {most} entrées",
     "must be a table, got {value}": "doit être un tableau, pas {value}",
@@ -1456,8 +1454,7 @@ ERRORS = {
         "{links} ne se trouvent qu’ensemble : un groupe d’Assur de classe III ou plus, pas une "
         "dyade que deux arcs ou droites déterminent"
     ),
-    "driven at {links} it is dyads alone": "menée par {links}, ce ne sont que des dyades",
-    "the {one} or the {other}": "{one} ou {other}",
+    "driven at the {links} it is dyads alone": "menée par {links}, ce ne sont que des dyades",
     "no other driver makes it dyads": "aucune autre pièce menante n’en fait des dyades",
     "add the links that it moves, as in {example}": (
         "ajoutez les pièces qu’elle meut, comme dans {example}"
