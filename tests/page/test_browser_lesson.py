@@ -24,6 +24,7 @@ from tests.page.lessons import (
 #: How many groups of strokes are seen in each panel.
 _SEEN = """() => [...document.querySelectorAll(".drawing svg")].map((svg) =>
   [...(svg.closest(".grand") ? svg.querySelector(".scene") : svg).children]
+    .filter((each) => !each.matches(".hand"))
     .filter((each) => getComputedStyle(each).display !== "none").length)"""
 
 
@@ -43,6 +44,24 @@ def test_it_opens_with_the_mechanism_and_in_its_own_type(lesson: Page) -> None:
       return [...document.fonts].map((face) => `${face.family} ${face.status}`);
     }"""
     assert lesson.evaluate(loaded) == ["vad loaded"] * 3
+
+
+def test_a_stroke_that_grows_leaves_the_pictures_where_they_are(lesson: Page) -> None:
+    """A view that is set anew, even to what it was, has the browser lay out all of the picture."""
+    scrub(lesson, 7.2)
+    lesson.evaluate(
+        """() => {
+          window.set_ = [];
+          const names = (all) => all.map((each) => each.attributeName);
+          const seen = new MutationObserver((all) => set_.push(...names(all)));
+          for (const picture of document.querySelectorAll(".drawing svg"))
+            seen.observe(picture, { attributes: true, subtree: true });
+        }"""
+    )
+    for part in (7.3, 7.5, 7.7):
+        scrub(lesson, part)
+    found = lesson.evaluate("set_")
+    assert found and "viewBox" not in found
 
 
 def test_it_plays_without_a_net(lesson: Page) -> None:
