@@ -8,7 +8,7 @@ others on the machine disturb less, and how many questions a drag asks: it shoul
 What a move takes contains what the browser takes to be driven from outside, more than a millisecond
 on an empty page, and the frames in which the picture glides on after it.  So the time of a single
 frame is stated, too: the page makes one move in each of many frames by itself.  It is the mean of
-120 frames, as letters follow in every second, and numbers eight times a second; of five such means
+120 frames, as letters follow in every second, and numbers six times a second; of five such means
 it is the least, for what else runs on a machine only adds to them.  Machines differ by a factor of
 two; beside it stands what a frame takes in which one circle moves on an empty page.
 

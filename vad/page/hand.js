@@ -21,7 +21,7 @@ const END = 1e-11;
 // In so many poses of a stretch the size of a mechanism is looked up.
 const POSES_WHOLE = 48;
 // Milliseconds from one text to the next while a pose follows the other: nobody reads more of them.
-const LEGIBLE = 120;
+const LEGIBLE = 160;
 
 // Does something when it is called, and in a row of calls so often that this many milliseconds lie
 // between; the last call counts, too. now() does what is left at once, and so the next call; over()

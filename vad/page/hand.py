@@ -141,7 +141,7 @@ def hand(
     for region in regions:
         shown = [item for item in (*board.still, *moving) if item.region == region]
         layers[region] = "".join(
-            f"<g{begun.of(*named)}>{_layer(items, inker, outputs, moves)}</g>"
+            _grouped(_layer(items, inker, outputs, moves), begun.of(*named))
             for named, items in groupby(
                 in_painting_order(shown, regions), key=lambda item: _named(item.stroke, region)
             )
@@ -278,9 +278,18 @@ def _box(box: Rect, outputs: Outputs) -> list[float]:
     return [*middle, round(float(box.width) / 2, 5), round(float(box.height) / 2, 5)]
 
 
-def _layer(items: Iterable[Item], inker: Inker, outputs: Outputs, moves: list[list[Any]]) -> str:
+def _grouped(elements: Sequence[str], since: str) -> str:
+    """Return elements that are seen from a beat on; a single one takes less of a frame alone."""
+    text = "".join(elements)
+    alone = len(elements) == 1 and (text.startswith("<g") or text.count("<") == 1)
+    return re.sub(r"(?<=^<)\w+", rf"\g<0>{since}", text) if alone else f"<g{since}>{text}</g>"
+
+
+def _layer(
+    items: Iterable[Item], inker: Inker, outputs: Outputs, moves: list[list[Any]]
+) -> list[str]:
     """Return the elements of items; what moves is noted with the numbers of its attributes."""
-    text = ""
+    elements = []
     for mark in (mark for item in items for mark in item.marks):
         motion, element = _inked(mark, inker, outputs)
         if motion and element:
@@ -292,8 +301,9 @@ def _layer(items: Iterable[Item], inker: Inker, outputs: Outputs, moves: list[li
                 if element.count("<") > 1
                 else element.replace(" ", " data-m ", 1)
             )
-        text += element
-    return text
+        if element:
+            elements.append(element)
+    return elements
 
 
 def _inked(mark: Mark, inker: Inker, outputs: Outputs) -> tuple[list[Any] | None, str]:
