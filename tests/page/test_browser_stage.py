@@ -197,3 +197,29 @@ def test_the_scale_in_the_head_of_two_polygons_stands_above_the_first(
         assert beyond_the_middle() < 0.0
         scrub(page, float(page.evaluate("document.querySelector('.scrub').max")))
         assert beyond_the_middle() > 0.0  # at the end one is below the other
+
+
+def test_the_lower_scale_keeps_its_number_where_a_hand_turns_a_large_panel(
+    browser: Browser, tmp_path: Path
+) -> None:
+    lesson = vad.animate(vad.draw(vad.solve(vad.SpatialFourBar())))
+    path = tmp_path / "two.html"
+    vad.save(lesson, path)
+    with opened(browser, viewport={"width": 1280, "height": 800}) as page:
+        page.goto(path.as_uri())
+        found = []
+        for stroke in (44.0, float(page.evaluate("document.querySelector('.scrub').max"))):
+            scrub(page, stroke)
+            press(page, "h")
+            page.wait_for_timeout(900)  # the picture glides to its scale
+            text, line = page.locator(".panel:nth-child(2) .hand [data-bar]").evaluate(
+                """(bar) => ["text", "path"].map((each) =>
+                  bar.querySelector(each).getBoundingClientRect().toJSON())"""
+            )
+            middle = (text["top"] + text["bottom"] - line["top"] - line["bottom"]) / 2
+            assert abs(middle) < 0.3 * text["height"]
+            assert 0 < text["left"] - line["right"] < text["height"]
+            found.append(line["top"])
+            press(page, "h")
+            until(page, lambda: page.locator(".turned").count() == 0)
+        assert abs(found[0] - found[1]) > 20  # the large panel is another

@@ -24,6 +24,7 @@ function scales(root, data, out, state) {
       tops[data.halves[half][0]].append(place);
       made.top = place.firstChild;
     }
+    if (below) made.base = +below.querySelector("text").getAttribute("y") + bar.at[1] * unit;
     made.to = made.now;
     if (large) made.sides = [{ inner, bar, start: made.now }, { ...large, bar: bar && { ...bar, ...large.bar } }];
     return made;
@@ -131,6 +132,7 @@ function scales(root, data, out, state) {
         const [x, y] = polygon.bar.at, u = (x - left) * unit, v = (top - y - data.signs.rise) * unit, tick = data.signs.tick * unit;
         line.setAttribute("d", `M${u} ${v - tick}v${2 * tick}m0 ${-tick}h${long}m0 ${-tick}v${2 * tick}`);
         text.setAttribute("x", u + long + data.signs.gap * unit);
+        text.setAttribute("y", polygon.base - y * unit);
         if (text.textContent !== words) text.textContent = words;
       } else {
         polygon.top.firstChild.style.setProperty("--n", long.toFixed(2));
