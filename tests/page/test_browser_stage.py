@@ -12,7 +12,7 @@ from playwright.sync_api import Browser, Page
 
 import vad
 from tests.browser import opened, until
-from tests.page.lessons import FIRST, STROKES, bundle_of, page_of, press, scrub, show
+from tests.page.lessons import FIRST, STROKES, bundle_of, page_of, press, scrub, show, written
 
 #: Where the drawings are, the panels and the table, when all have come to rest.
 _PLACES = """() => {
@@ -180,11 +180,8 @@ def test_who_wants_no_motion_sees_one_picture_fade_into_another(
 def test_the_scale_in_the_head_of_two_polygons_stands_above_the_first(
     browser: Browser, tmp_path: Path
 ) -> None:
-    lesson = vad.animate(vad.draw(vad.solve(vad.SpatialFourBar())))
-    path = tmp_path / "two.html"
-    vad.save(lesson, path)
     with opened(browser, viewport={"width": 1280, "height": 800}) as page:
-        page.goto(path.as_uri())
+        show(page, tmp_path, written(vad.SpatialFourBar()))
         panel = page.locator(".panel").nth(1)
 
         def beyond_the_middle() -> float:
@@ -202,11 +199,8 @@ def test_the_scale_in_the_head_of_two_polygons_stands_above_the_first(
 def test_the_lower_scale_keeps_its_number_where_a_hand_turns_a_large_panel(
     browser: Browser, tmp_path: Path
 ) -> None:
-    lesson = vad.animate(vad.draw(vad.solve(vad.SpatialFourBar())))
-    path = tmp_path / "two.html"
-    vad.save(lesson, path)
     with opened(browser, viewport={"width": 1280, "height": 800}) as page:
-        page.goto(path.as_uri())
+        show(page, tmp_path, written(vad.SpatialFourBar()))
         found = []
         for stroke in (44.0, float(page.evaluate("document.querySelector('.scrub').max"))):
             scrub(page, stroke)

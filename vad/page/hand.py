@@ -22,7 +22,7 @@ from vad.lecture.followed import Followed
 from vad.lecture.moment import drawing
 from vad.page.curves import curves
 from vad.page.dimensions import dimensions, readable
-from vad.page.ink import Inker, when
+from vad.page.ink import Inker, attributed, when
 from vad.page.large import Large
 from vad.page.outputs import Outputs
 from vad.page.scaled import Scaled, edges
@@ -281,8 +281,9 @@ def _box(box: Rect, outputs: Outputs) -> list[float]:
 def _grouped(elements: Sequence[str], since: str) -> str:
     """Return elements that are seen from a beat on; a single one takes less of a frame alone."""
     text = "".join(elements)
-    alone = len(elements) == 1 and (text.startswith("<g") or text.count("<") == 1)
-    return re.sub(r"(?<=^<)\w+", rf"\g<0>{since}", text) if alone else f"<g{since}>{text}</g>"
+    if len(elements) == 1 and text.startswith("<g"):  # it is a group already
+        return text.replace("<g", f"<g{since}", 1)
+    return attributed(text, since)
 
 
 def _layer(
@@ -296,11 +297,7 @@ def _layer(
             moves.append(motion)
             if motion[0] in _LINES and len(motion) == 2:
                 element = element.replace("<path", f"<{_LINES[motion[0]]}")
-            element = (
-                f"<g data-m>{element}</g>"
-                if element.count("<") > 1
-                else element.replace(" ", " data-m ", 1)
-            )
+            element = attributed(element, " data-m")
         if element:
             elements.append(element)
     return elements

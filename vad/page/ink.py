@@ -96,10 +96,22 @@ class Inker:
         growth = grown(mark, self._grid)
         if growth not in self.growths:
             self.growths.append(growth)
-        element, number = self.mark(mark), self.growths.index(growth)
-        if element.count("<") > 1:  # with a halo, or a text
-            element = f"<g>{element}</g>"
-        return re.sub(r"(?<=^<)\w+", rf'\g<0> data-g="{number}"', element)
+        return attributed(self.mark(mark), f' data-g="{self.growths.index(growth)}"')
+
+
+def attributed(elements: str, attribute: str) -> str:
+    """Return elements with an attribute: a single one has it itself, several in a group.
+
+    Examples
+    --------
+    >>> attributed('<path class="A"/>', " data-m")
+    '<path data-m class="A"/>'
+    >>> attributed('<use/><text>a</text>', " data-m")
+    '<g data-m><use/><text>a</text></g>'
+    """
+    if elements.count("<") > 1:  # with a halo, or a text
+        elements = f"<g>{elements}</g>"
+    return re.sub(r"(?<=^<)\w+", rf"\g<0>{attribute}", elements)
 
 
 def when(spans: Iterable[Span]) -> str:
