@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser import opened, until, violations
+from tests.browser import opened, painted, until, violations
 from tests.page.lessons import (
     FIRST,
     LESSON,
@@ -26,6 +28,10 @@ _SEEN = """() => [...document.querySelectorAll(".drawing svg")].map((svg) =>
   [...(svg.closest(".grand") ? svg.querySelector(".scene") : svg).children]
     .filter((each) => !each.matches(".hand"))
     .filter((each) => getComputedStyle(each).display !== "none").length)"""
+
+#: What the browser says of each object that it has to lay out anew, and why.
+_INVALID = ["devtools.timeline", "disabled-by-default-devtools.timeline.invalidationTracking"]
+_LAID = "LayoutInvalidationTracking"
 
 
 def test_it_opens_with_the_mechanism_and_in_its_own_type(lesson: Page) -> None:
@@ -62,6 +68,27 @@ def test_a_stroke_that_grows_leaves_the_pictures_where_they_are(lesson: Page) ->
         scrub(lesson, part)
     found = lesson.evaluate("set_")
     assert found and "viewBox" not in found
+
+
+def test_a_stroke_that_grows_leaves_the_pictures_their_sizes(lesson: Page) -> None:
+    """A picture that is measured in between with another size is laid out as a whole, twice."""
+    scrub(lesson, 12.2)
+
+    def grown() -> None:
+        for part in (12.3, 12.5, 12.7):
+            scrub(lesson, part)
+
+    def sized(what: Callable[[], object]) -> bool:
+        lesson.context.browser.start_tracing(page=lesson, categories=_INVALID)
+        what()
+        painted(lesson)
+        events = json.loads(lesson.context.browser.stop_tracing())["traceEvents"]
+        found = [each["args"]["data"] for each in events if each["name"] == _LAID]
+        assert found
+        return any(each["reason"] == "Size changed" for each in found)
+
+    assert not sized(grown)
+    assert sized(lambda: lesson.set_viewport_size({"width": 1100, "height": 800}))
 
 
 def test_it_plays_without_a_net(lesson: Page) -> None:

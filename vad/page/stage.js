@@ -85,7 +85,7 @@ function staging(root, calm) {
   // Headings and table, which would cross one another, fade in.
   function to(next, atOnce, seconds) {
     if (!lesson.move.length) next = -1;
-    if (next === panel && !atOnce) return draw();
+    if (next === panel && !atOnce) return;
     const { pictures } = lesson, others = [...all(".top, .foot"), ...all(".results")], from = pictures.map(seen);
     [...pictures, ...others].forEach((each) => each.getAnimations().forEach((old) => old.cancel()));
     const timing = { duration: calm.matches ? 200 : 1000 * seconds, easing: "cubic-bezier(.333,0,.667,1)" };
