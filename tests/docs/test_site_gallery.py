@@ -80,4 +80,4 @@ def _turn(page: Page, piece: Piece) -> None:
 
 
 def _picture(frame: Frame) -> str:
-    return str(frame.locator(".drawing svg").first.evaluate("(svg) => svg.outerHTML"))
+    return str(frame.locator(".drawing > svg").first.evaluate("(svg) => svg.outerHTML"))

@@ -134,13 +134,13 @@ def test_the_crank_follows_the_hand_without_python(window: Page, mechanism, move
 
 def test_the_fair_copy_keeps_step_and_scales(window: Page):
     load(window, "four-bar", step=9)
-    before = window.locator(".panel .drawing svg > g.hand:not(.ways)").count()
+    before = window.locator(".panel .drawing > svg > g.hand:not(.ways)").count()
     window.keyboard.press("h")
     window.keyboard.press("ArrowRight")
     still(window)
     assert state(window) == 61
     assert window.locator(".copied").count() == 1
-    assert window.locator(".panel .drawing svg > g.hand:not(.ways)").count() == before == 3
+    assert window.locator(".panel .drawing > svg > g.hand:not(.ways)").count() == before == 3
     bar = window.locator(".scale.hand").first
     assert (
         bar.is_visible() and bar.evaluate("each => getComputedStyle(each).visibility") == "visible"

@@ -22,7 +22,7 @@ _SCRIPTS = ("solver.js", "written.js", "labels.js", "scales.js", "picture.js")
 _OPEN = """([panels, table, layers, program, data]) => {
   const root = document.querySelector("main");
   root.innerHTML = `<div>${panels}</div><div class="results">${table}</div>`;
-  const svgs = root.querySelectorAll(".drawing svg");
+  const svgs = root.querySelectorAll(".drawing > svg");
   layers.forEach((layer, n) => svgs[n].insertAdjacentHTML("beforeend", layer));
   window.given = data;
   window.view = picture(root, solver(program), data);

@@ -100,5 +100,5 @@ def test_a_range_that_is_not_a_turn_is_covered(browser: Browser, tmp_path: Path)
           const box = path.getBBox(), { a } = path.transform.baseVal[0].matrix;
           return Math.max(box.width, box.height) * a;
         })""")
-        view = page.locator(".drawing svg").first.get_attribute("viewBox") or ""
+        view = page.locator(".drawing > svg").first.get_attribute("viewBox") or ""
     assert max(boxes) > 0.3 * float(view.split()[2])

@@ -33,13 +33,13 @@ _AIR = """() => {
 }"""
 #: Places of a panel in the window.
 _WINDOW = """([panel, ...places]) => {
-  const matrix = document.querySelectorAll(".drawing svg")[panel].getScreenCTM();
+  const matrix = document.querySelectorAll(".drawing > svg")[panel].getScreenCTM();
   return [0, 2].map((n) => new DOMPoint(places[n], places[n + 1]).matrixTransform(matrix))
     .map(({ x, y }) => [x, y]);
 }"""
 #: The width and the height of a panel in the window.
 _SIZE = """(panel) => {
-  const box = document.querySelectorAll(".drawing svg")[panel].getBoundingClientRect();
+  const box = document.querySelectorAll(".drawing > svg")[panel].getBoundingClientRect();
   return [box.width, box.height];
 }"""
 #: The arrow of a stroke as it is drawn: where its shaft begins, and the tip of its head.

@@ -66,7 +66,7 @@ def crank(page: Page) -> float:
     return 40.0 * float(
         page.evaluate(
             """() => {
-              const svg = document.querySelector('.drawing svg');
+              const svg = document.querySelector('.drawing > svg');
               const bar = document.querySelector('.scale .bar');
               const bigger = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
               const long = bigger * bar.style.getPropertyValue('--n');
@@ -309,7 +309,7 @@ def test_the_region_speaks_when_the_hand_rests(page: Page) -> None:
 
 def test_a_finished_polygon_is_described(page: Page) -> None:
     """By its letters, without those that go with a part of no length."""
-    label = page.locator(".drawing svg").nth(2)
+    label = page.locator(".drawing > svg").nth(2)
     press(page, "End")
     page.evaluate("() => void vad.pose({ angle: 60, alpha: 0 })")
     wanted = "Acceleration: a prime, d prime is the pole; b prime 4000\u00a0mm/s² at 240.0°; c n "
@@ -552,7 +552,7 @@ def test_the_ring_and_the_ground_follow_a_new_scale(browser: Browser, tmp_path: 
         assert min(math.hypot(x - u, y - v) for u, v in pins) < 1.0
         # Ground that would lie on the table is cut off at the edge of the panel.
         assert (
-            page.locator(".panel:first-child svg").evaluate(
+            page.locator(".panel:first-child .drawing > svg").evaluate(
                 "(each) => getComputedStyle(each).overflow"
             )
             == "hidden"
@@ -784,7 +784,7 @@ def test_a_row_hides_its_vectors_and_a_key_enlarges_a_panel(page: Page) -> None:
     page.locator(".hides").nth(1).click()
     assert page.evaluate(faint) == 0
     page.evaluate("document.activeElement.blur()")
-    size = "() => document.querySelectorAll('.drawing svg')[2].getScreenCTM().a"
+    size = "() => document.querySelectorAll('.drawing > svg')[2].getScreenCTM().a"
     whole = page.evaluate(size)
     press(page, "z")
     assert page.evaluate(size) > 1.3 * whole
@@ -797,7 +797,7 @@ def test_a_row_hides_its_vectors_and_a_key_enlarges_a_panel(page: Page) -> None:
 def test_an_enlarged_panel_keeps_its_scale_bar_right(page: Page) -> None:
     """Wherever it is, it is larger than before; on a phone the table stands beneath it."""
     found = """() => {
-      const { a } = document.querySelectorAll('.drawing svg')[2].getScreenCTM();
+      const { a } = document.querySelectorAll('.drawing > svg')[2].getScreenCTM();
       const [bar] = [...document.querySelectorAll('.panel:nth-child(3) .bar')]
         .filter((each) => each.getBoundingClientRect().width);
       return [a, bar.getBoundingClientRect().width / bar.style.getPropertyValue('--n'),

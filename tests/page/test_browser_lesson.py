@@ -24,7 +24,7 @@ from tests.page.lessons import (
 )
 
 #: How many groups of strokes are seen in each panel.
-_SEEN = """() => [...document.querySelectorAll(".drawing svg")].map((svg) =>
+_SEEN = """() => [...document.querySelectorAll(".drawing > svg")].map((svg) =>
   [...(svg.closest(".grand") ? svg.querySelector(".scene") : svg).children]
     .filter((each) => !each.matches(".hand"))
     .filter((each) => getComputedStyle(each).display !== "none").length)"""
@@ -60,7 +60,7 @@ def test_a_stroke_that_grows_leaves_the_pictures_where_they_are(lesson: Page) ->
           window.set_ = [];
           const names = (all) => all.map((each) => each.attributeName);
           const seen = new MutationObserver((all) => set_.push(...names(all)));
-          for (const picture of document.querySelectorAll(".drawing svg"))
+          for (const picture of document.querySelectorAll(".drawing > svg"))
             seen.observe(picture, { attributes: true, subtree: true });
         }"""
     )

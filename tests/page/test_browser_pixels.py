@@ -41,7 +41,8 @@ LESSONS = (
 #: None moves, and nothing flies.
 BARE = """() => {
   const home = document.querySelector('.vad');
-  const pictures = document.querySelectorAll('.drawing svg'), frame = document.createElement('div');
+  const pictures = document.querySelectorAll('.drawing > svg');
+  const frame = document.createElement('div');
   frame.className = 'drawing';
   home.append(frame);
   frame.innerHTML = '<svg viewBox="0 0 1280 720"></svg>';

@@ -20,7 +20,7 @@ _PLACES = """() => {
   const box = ({ left, top, right, bottom }) => [left, top, right, bottom];
   const all = (names) =>
     [...document.querySelectorAll(names)].map((each) => box(each.getBoundingClientRect()));
-  return { drawings: all(".drawing svg"), ghosts: all(".ghost svg"), panels: all(".panel"),
+  return { drawings: all(".drawing > svg"), ghosts: all(".ghost svg"), panels: all(".panel"),
     table: all(".results table")[0],
     board: all(".board")[0], texts: all(".small text"), scale: all(".panel:not(.small) .bar")[0] };
 }"""
@@ -34,7 +34,7 @@ _HALFWAY = """() => {
   return lasts;
 }"""
 #: Where two places of each panel on the sheet are seen, as it may be drawn anew for a large room.
-_SEEN = """(large) => [...document.querySelectorAll(".drawing svg")].flatMap((svg, i) => {
+_SEEN = """(large) => [...document.querySelectorAll(".drawing > svg")].flatMap((svg, i) => {
   const [, factor, x, y] = svg.closest(".grand") ? large[i] : [0, 1, 0, 0];
   const matrix = svg.getScreenCTM();
   return [[600, 300], [700, 200]].map(([u, v]) =>
@@ -119,7 +119,7 @@ def test_thumbnails_show_what_is_drawn_and_all_of_it_when_a_hand_moves_it(
     [view, *_] = re.findall(r'<svg[^>]* viewBox="([^"]*)"', page_of("slider-crank"))
     sheet, drawn = (float(each.split()[2]) for each in (view, large[0][5]))
     assert sheet > drawn
-    mechanism = lesson.locator(".small .drawing svg").first
+    mechanism = lesson.locator(".small .drawing > svg").first
     width = "(each) => each.viewBox.baseVal.width"
     press(lesson, "h")
     assert mechanism.evaluate(width) == pytest.approx(sheet, abs=0.01)
@@ -154,6 +154,27 @@ def test_the_hand_keeps_the_arrangement_of_the_moment(lesson: Page) -> None:
     lesson.locator("[data-do=all]").click()
     assert lesson.evaluate(_PLACES)["drawings"] == places(lesson, STROKES)["drawings"]
     press(lesson, "Escape")
+
+
+def test_letters_under_the_hand_lie_over_their_lines(lesson: Page) -> None:
+    """They are in a layer above the drawing, which is seen through the same view."""
+    for x, width in ((12, 1280), (STROKES, 1280), (12, 700)):
+        lesson.set_viewport_size({"width": width, "height": 800})
+        scrub(lesson, x)
+        lesson.evaluate(_PLACES)
+        press(lesson, "h")
+        found = lesson.evaluate(
+            """() => [...document.querySelectorAll(".drawing")].map((each) =>
+              [...each.querySelectorAll("svg")].map((svg) => {
+                const { a, e, f } = svg.getScreenCTM(), labels = svg.querySelectorAll(".label");
+                return [a, e, f, svg.getAttribute("viewBox"), labels.length];
+              }))"""
+        )
+        assert len(found) == len(FIRST)
+        for (*own, none), (*above, some) in found:
+            assert own == above and none == 0 < some
+        press(lesson, "Escape")
+        until(lesson, lambda: not lesson.locator(".turned").count())
 
 
 def test_who_wants_no_motion_sees_one_picture_fade_into_another(

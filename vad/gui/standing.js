@@ -66,7 +66,7 @@ function stand(answer) {
     find(place)?.remove();
     form().before(made.querySelector(place));
   }
-  const svgs = root.querySelectorAll(".drawing svg");
+  const svgs = root.querySelectorAll(".drawing > svg");
   answer.layers.forEach((layer, i) => svgs[i].insertAdjacentHTML("beforeend", layer));
   const all = answer.data.times.length, at = was?.x ?? step ?? all;
   standing = { mechanism: set.mechanism, key: answer.key, strokes: all, ...playing(root, { ...answer.data, start: Math.min(at, all) }) };
@@ -122,7 +122,7 @@ function copy(answer) {
     const scale = fresh.querySelector(".scale");
     if (scale) old.querySelector(".top").append(scale);
     old.querySelector(".foot").replaceWith(fresh.querySelector(".foot"));
-    const [svg, drawn] = [old, fresh].map((each) => each.querySelector(".drawing svg"));
+    const [svg, drawn] = [old, fresh].map((each) => each.querySelector(".drawing > svg"));
     svg.parentNode.style.cssText = drawn.parentNode.style.cssText;
     for (const each of [...svg.children]) if (!each.matches(".hand, .grip")) each.remove();
     svg.prepend(...drawn.childNodes);

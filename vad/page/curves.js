@@ -16,7 +16,7 @@ const SAMPLES = 361, MOST = 0.98, ENDLESS = 2, LEVEL = 1e-9;
 function curved(root, body, dock, showing) {
   const { data, solve, view } = body, { columns, tracks } = data.curves;
   const out = new Float64Array(data.size), shows = { curves: false, hodographs: false, paths: false };
-  const svgs = [...root.querySelectorAll(".drawing svg")], [unit, left, top] = data.page;
+  const svgs = [...root.querySelectorAll(".drawing > svg")], [unit, left, top] = data.page;
   const home = document.createElement("div"), plots = [];
   let places = [], values = [], points = [], known = "";
 

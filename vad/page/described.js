@@ -4,7 +4,7 @@
 // described(root, body, player). A picture has it as its label when it is whole and at rest.
 
 function described(root, body, player) {
-  const { data, state, out, view } = body, { words } = data, svgs = root.querySelectorAll(".drawing svg");
+  const { data, state, out, view } = body, { words } = data, svgs = root.querySelectorAll(".drawing > svg");
   const polygons = data.polygons.filter(({ mechanism, bar }) => !mechanism && bar);
 
   function sentence({ half, input, bar }) {

@@ -52,7 +52,7 @@ _START = (
     "if(/\\bchalk\\b/.test(root.dataset.themes)&&"
     "matchMedia('(prefers-color-scheme: dark)').matches)root.dataset.theme='chalk';"
     "root.querySelectorAll('g[data-b]:empty,.control:empty').forEach((each,i)=>each.innerHTML=packed[3][i]);"
-    "const svgs=root.querySelectorAll('.drawing svg');"
+    "const svgs=root.querySelectorAll('.drawing > svg');"
     "packed[2].forEach((layer,i)=>svgs[i].insertAdjacentHTML('beforeend',layer));"
     "const player=mount(root,data);"
 )

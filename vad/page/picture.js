@@ -26,12 +26,26 @@ function picture(root, solve, data) {
   const [unit, left, top] = data.page;
   const x = (place) => (out[place] - left) * unit, y = (place) => (top - out[place]) * unit;
   const round = (value) => Math.round(value * 100) / 100;
-  const svgs = [...root.querySelectorAll(".drawing svg")];
+  const svgs = [...root.querySelectorAll(".drawing > svg")];
   const marks = svgs.flatMap((svg) => [...svg.querySelectorAll("[data-m]")]);
-  const names = labels(svgs.flatMap((svg) => [...svg.querySelectorAll(".label")]), data, out, counts), sizes = scales(root, data, out, state);
+  const names = labels(svgs.flatMap(lettering), data, out, counts), sizes = scales(root, data, out, state);
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   const listeners = [];
   let frame = 0, fresh = true, given = [], last = 0, behind = false;
+
+  // The labels of a drawing, in a layer of their own above it: a browser paints all letters of a layer
+  // anew when a line in it moves, which took a third of all its painting.
+  function lettering(svg) {
+    const layer = svg.cloneNode(), hand = svg.querySelector(".hand"), over = document.createElement("div");
+    const found = [...hand.querySelectorAll(".label")], own = hand.cloneNode();
+    for (const name of ["role", "aria-label"]) layer.removeAttribute(name);
+    Object.assign(over, { className: "over", ariaHidden: true });
+    own.append(...found);
+    layer.append(own);
+    over.append(layer);
+    svg.after(over);
+    return found;
+  }
 
   // The text of an attribute, or of two; none where a number does not exist.
   const kinds = {
@@ -236,7 +250,7 @@ function picture(root, solve, data) {
     data.halves.forEach((half, i) => {
       const large = half[0] === panel, scaled = data.polygons.some((polygon) => polygon.half === i);
       if (scaled) half.splice(1, 4, ...edges[i][+(large && edges[i][1].length > 0)]);
-      else for (const layer of svgs[half[0]].querySelectorAll(".hand, .grip")) {
+      else for (const layer of svgs[half[0]].parentNode.querySelectorAll(".hand, .grip")) {
         // A rule for [transform] would style the texts of each label that moves anew.
         layer.classList.toggle("grown", large);
         if (large) layer.setAttribute("transform", `matrix(${factor} 0 0 ${factor} ${shift.join(" ")})`);

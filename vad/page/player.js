@@ -135,7 +135,7 @@ export function mount(root, data, { address = true } = {}) {
 
   function load(next, at = 0) {
     stop();
-    lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing svg"), panel: 0 };
+    lesson = { ...next, links: all(".steps a"), chapters: all(".chapters button"), pictures: all(".drawing > svg"), panel: 0 };
     scene.load(lesson);
     near(1);
     if (rail !== one(".steps")) lesson.pictures.forEach((picture, i) => lesson.panels.forEach(([, title], k) => {

@@ -12,7 +12,7 @@ const SMALL = 0.75;
 const PEAK = 3.5, ABOUT = 1.15, SHARE = 0.5, THERE = 2e-3, NO_SIZE = 1e-9;
 
 function scales(root, data, out, state) {
-  const svgs = [...root.querySelectorAll(".drawing svg")], tops = [...root.querySelectorAll(".panel .top")];
+  const svgs = [...root.querySelectorAll(".drawing > svg")], tops = [...root.querySelectorAll(".panel .top")];
   const [unit, left, top] = data.page;
   const all = data.polygons.map(({ half, input, corners, inner, bar, mechanism, large }) => {
     const below = svgs[data.halves[half][0]].querySelector(`[data-bar="${half}"]`);

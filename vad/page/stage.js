@@ -45,7 +45,8 @@ function staging(root, calm) {
       const size = Math.min(width / wide, height / high, small ? MOST_SMALL * u : Infinity);
       const across = small ? width / size : wide, up = small ? height / size : high;
       const shown = large < 0 || !(size > 0) ? views[i] : [x + (wide - across) / 2, y + (high - up) / 2, across, up].map((each) => each.toFixed(2)).join(" ");
-      if (picture.getAttribute("viewBox") !== shown) picture.setAttribute("viewBox", shown); // else all is laid out anew
+      for (const each of [picture, ...picture.parentNode.querySelectorAll(".over > svg")])
+        if (each.getAttribute("viewBox") !== shown) each.setAttribute("viewBox", shown); // else all is laid out anew
       const seen = i === large ? size : panels[i].matches(".large .big") && picture.getScreenCTM().a;
       for (const [owner, name, value] of [[panels[i].style, "--k", small && size / u], [top.style, "--s", seen && `${seen}px`], [top.style, "--q", i === large && factor]])
         if (value) owner.setProperty(name, value);
