@@ -7,10 +7,11 @@ others on the machine disturb less, and how many questions a drag asks: it shoul
 
 What a move takes contains what the browser takes to be driven from outside, more than a millisecond
 on an empty page, and the frames in which the picture glides on after it.  So the time of a single
-frame is stated, too: the page makes one move in each of many frames by itself.  It is the mean of
-120 frames, as letters follow in every second, and numbers six times a second; of five such means
-it is the least, for what else runs on a machine only adds to them.  Machines differ by a factor of
-two; beside it stands what a frame takes in which one circle moves on an empty page.
+frame is stated, too: the page makes one move in each of many frames by itself, and nothing watches
+it.  The pointer goes round a small circle in 60 frames.  The mean of these is taken forty times.
+The least is what a frame takes on a quiet machine, as what else runs there only adds to it; the
+median is what it takes on this one.  Machines differ by a factor of two; beside it stands what a
+frame takes in which one circle moves on an empty page.
 
 A picture can be seen at the next frame of the display at the earliest, and a pointer moves at any
 time between two frames.  So the moves are spread evenly over the time of a frame.  Otherwise each
@@ -35,13 +36,15 @@ from benchmarks.common import RESULTS, three, write_csv
 from tests.browser import launched, opened, until
 
 MOVES, FIRST, REST = 60, 10, 0.04  # the first ones load what is kept; seconds between two, at least
-ROUNDS = 5  # of frames, of which the one that takes least is stated
+ROUNDS = 40  # of as many frames as moves
 #: The rest of the pause is a share of a frame.  That of each move, by its number: evenly spread,
 #: however many there are.
 FRAME, SPREAD = 1 / 60, (math.sqrt(5) - 1) / 2
 #: Of each frame, in milliseconds: when the newest move that it shows was made, and when it ended.
+#: To watch takes a twentieth of a frame, until ``watch_`` is told to end.
 _WATCH = """() => {
   window.frames_ = [];
+  window.watch_ = new AbortController();
   let moved = 0, due = false;
   addEventListener("pointermove", (event) => {
     moved = event.timeStamp;
@@ -53,7 +56,7 @@ _WATCH = """() => {
       port1.onmessage = () => frames_.push([made, performance.now()]);
       port2.postMessage(0);
     });
-  }, true);
+  }, { capture: true, signal: watch_.signal });
 }"""
 
 
@@ -88,7 +91,7 @@ def main() -> None:
     """Measure and write ``results/hand.csv``."""
     rows = []
     with launched() as browser:
-        least = three(empty(browser))
+        least = three(empty(browser).min())
         for name in vad.MECHANISMS:
             times, worked, framed, asked = measured(browser, name)
             load = os.getloadavg()[0] / (os.cpu_count() or 1)
@@ -97,7 +100,7 @@ def main() -> None:
                 [
                     name,
                     len(times),
-                    *map(three, (median, most, worked, framed)),
+                    *map(three, (median, most, worked, framed.min(), np.median(framed))),
                     least,
                     asked,
                     f"{load:.1f}",
@@ -105,23 +108,23 @@ def main() -> None:
             )
             print(*rows[-1], flush=True)
     head = ["mechanism", "frames", "median ms", "p95 ms", "page cpu ms", "frame cpu ms"]
-    head += ["one circle cpu ms", "questions", "processes per core"]
+    head += ["median frame cpu ms", "one circle cpu ms", "questions", "processes per core"]
     write_csv(RESULTS / "hand.csv", head, rows, ("playwright",))
 
 
-def empty(browser: object) -> float:
-    """Return the milliseconds of a frame in which one circle moves on an empty page."""
+def empty(browser: object) -> np.ndarray:
+    """Return the milliseconds of frames in which one circle moves on an empty page."""
     with opened(browser) as page:
         page.set_content("<svg><circle r=6 cy=50></svg>")
         metrics = page.context.new_cdp_session(page)
         metrics.send("Performance.enable", {"timeDomain": "threadTicks"})
-        return least_frame(metrics, lambda count: page.evaluate(_CIRCLE, count))
+        return worked_in(metrics, lambda count: page.evaluate(_CIRCLE, count))
 
 
-def measured(browser: object, name: str) -> tuple[np.ndarray, float, float, int]:
-    """Return the times of each frame, two sizes of the page's work, and questions asked.
+def measured(browser: object, name: str) -> tuple[np.ndarray, float, np.ndarray, int]:
+    """Return the times of each frame, the page's work, that of frames, and questions asked.
 
-    The page's work is in milliseconds for a move that is made from outside, and for a frame.
+    Work is in milliseconds: for a move that is made from outside, and for a frame in each round.
     """
     command = [sys.executable, "-m", "vad", "gui", name, "--no-browser"]
     server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
@@ -148,7 +151,8 @@ def measured(browser: object, name: str) -> tuple[np.ndarray, float, float, int]
             after = page.evaluate("frames_.length"), painting(metrics)
             times = np.array(page.evaluate("frames_"))[before[0] : after[0]]
             questions = len(asked)
-            framed = least_frame(metrics, lambda count: page.evaluate(_FRAMES, [x, y, count]))
+            page.evaluate("watch_.abort()")
+            framed = worked_in(metrics, lambda count: page.evaluate(_FRAMES, [x, y, count]))
             page.mouse.up()
             until(page, lambda: page.locator(".window.copied:not(.moving)").count(), 30)
             return times, 1e3 * (after[1] - before[1]) / MOVES, framed, questions
@@ -157,15 +161,15 @@ def measured(browser: object, name: str) -> tuple[np.ndarray, float, float, int]
         server.wait()
 
 
-def least_frame(metrics: object, played: Callable[[int], object]) -> float:
-    """Return the milliseconds of a frame of those that are played, in the best of some rounds."""
+def worked_in(metrics: object, played: Callable[[int], object]) -> np.ndarray:
+    """Return the milliseconds of a frame of those that are played, in each of some rounds."""
     played(MOVES)
-    means = []
-    for _ in range(ROUNDS):
+    means = np.zeros(ROUNDS)
+    for number in range(ROUNDS):
         begun = painting(metrics)
-        played(2 * MOVES)
-        means.append(1e3 * (painting(metrics) - begun) / (2 * MOVES))
-    return min(means)
+        played(MOVES)
+        means[number] = 1e3 * (painting(metrics) - begun) / MOVES
+    return means
 
 
 def painting(metrics: object) -> float:
