@@ -65,6 +65,15 @@ WRITTEN: dict[str, Mechanism] = {
         guides={"B": {"along": "FC", "offset": 9}},
         driver=CRANK,
     )(),
+    "two guides": vad.mechanism(
+        fixed={"O": (0, 0)},
+        links={"link": {"AB": 100}},
+        guides={
+            "A": {"through": "O", "angle": 20, "name": "pushed"},
+            "B": {"through": "O", "angle": 130},
+        },
+        driver={"pushed": {"position": 50, "velocity": 20}},
+    )(),
 }
 VARIANTS: dict[str, Mechanism] = {
     **WRITTEN,
@@ -79,6 +88,8 @@ VARIANTS: dict[str, Mechanism] = {
     "turned whitworth": vad.Whitworth(ground_angle=-100, rod=150, ram_height=30),
     "oblique guides": vad.DoubleSlider(guide_a=20, guide_b=130),
 }
+#: Those that move between two guides, which must not be one line.
+TWO_GUIDES = {"double-slider", "oblique guides", "oblique-yoke", "trammel", "two guides"}
 OWN = 3
 #: How far a slide travels, and with it the length of a cylinder, is that of the traced pose.
 TRAVEL = "cylinder"
@@ -190,7 +201,7 @@ def test_every_dimension_is_an_input_without_a_guard(name: str) -> None:
     alone = ("ground_angle",)  # the sides of a parallelogram change together
     kept = alone if name == "parallelogram" else names
     assert tuple(traced.sizes) == (*kept, *sides_of(mechanism))
-    assert bool(traced.lasting) == isinstance(mechanism, vad.DoubleSlider)
+    assert bool(traced.lasting) == (name in TWO_GUIDES)
     assert len(traced.guards) == traced.lasting or isinstance(mechanism, WrittenMechanism)
 
 
@@ -218,6 +229,18 @@ def test_one_sheet_is_that_of_other_dimensions(name: str, exhaustive: bool) -> N
         assert difference <= CLOSE or difference <= DIGITS * condition(mechanism, values), values
         right += 1
     assert right > len(sets) / 4
+
+
+@pytest.mark.parametrize("name", ["oblique guides", "two guides"])
+def test_guides_stay_on_two_lines(name: str) -> None:
+    mechanism = VARIANTS[name]
+    guide = next(each for each, value in mechanism.dimensions().items() if value == 130.0)
+    traced = traced_sheet(mechanism, mechanism.inputs, dimensions=[guide])
+    own = {**mechanism.inputs, **mechanism.dimensions(), **dict.fromkeys(sides_of(mechanism), 1.0)}
+    sets = [{**own, guide: angle} for angle in (130.0, 200.0, 201.0, 20.0, 21.0)]
+    found = [bool(sheet) for sheet in played(traced, sets)]
+    assert found == [True, False, True, False, True]
+    assert found == [drawn(mechanism, values) is not None for values in sets]
 
 
 @pytest.mark.parametrize("lengths", [(100, 40, 100, 40), (100, 40, 40, 100), (50, 90, 90, 50)])

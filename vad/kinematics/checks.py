@@ -5,7 +5,6 @@ Every message has the number of the loop, or the name of the link, slide or poin
 
 from __future__ import annotations
 
-from itertools import combinations
 from typing import TypeGuard
 
 from vad import gate
@@ -19,6 +18,7 @@ from vad.kinematics.linkage import (
     Step,
     check_length,
     check_place,
+    crossing,
     length_of,
     parallel,
     scalar_of,
@@ -143,21 +143,16 @@ def _check_slide(where: str, way: int, slide: Slide, loop: Loop) -> None:
 
 def _check_guides(where: str, loop: Loop, unknowns: tuple[Scalar, ...], driver: Scalar) -> None:
     """Check that guides cross where both slides are unknown, or one of them is all that moves."""
-    slides = (step for _, step in loop.steps() if isinstance(step, Slide))
-    guides = [slide for slide in slides if isinstance(slide.along, float)]
-    moving = {scalar_of(step) for _, step in loop.steps()}
-    for one, other in combinations(guides, 2):
-        if not parallel(float(one.along), float(other.along)):
+    for (one, along), (other, across) in crossing(loop, unknowns, driver):
+        if not parallel(float(along), float(across)):
             continue
-        both = {length_of(one.name), length_of(other.name)}
-        lines = f"the lines of {one.name} and {other.name} are parallel"
-        if both == set(unknowns):
+        lines = f"the lines of {one} and {other} are parallel"
+        if {length_of(one), length_of(other)} == set(unknowns):
             raise InputError(f"{where}: {lines} and never cross")
-        if driver in both and moving == {driver, *unknowns}:
-            raise InputError(
-                f"{where}: {lines}, so that all between them slides along without a limit",
-                hint="give the lines different directions",
-            )
+        raise InputError(
+            f"{where}: {lines}, so that all between them slides along without a limit",
+            hint="give the lines different directions",
+        )
 
 
 def _check_slides(linkage: Linkage) -> None:

@@ -15,10 +15,12 @@ import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
+from itertools import combinations
 from typing import NamedTuple
 
 from vad import gate
 from vad.errors import InputError, quoted
+from vad.kinematics.elementary import sine
 from vad.kinematics.symbol import Symbol, as_complex, as_float
 
 # Lines at a smaller angle than this (in degrees) count as parallel: where they cross is so far away
@@ -383,6 +385,14 @@ class Linkage:
                 found[slide.name] = Rod(name, point, -slide.turn)
         return found
 
+    def guides_apart(self) -> bool:
+        """Tell whether guides that must cross have two directions, which may be traced."""
+        apart = True
+        for loop, unknowns in zip(self.loops, self.unknowns, strict=True):
+            for one, other in crossing(loop, unknowns, self.driver):
+                apart = apart & (abs(sine(other[1] - one[1])) > 0.0)
+        return apart
+
     @property
     def frame(self) -> float:
         """The direction of the x axis in which it is solved, in degrees.
@@ -396,6 +406,23 @@ class Linkage:
         guides = [s for s in steps if isinstance(s, Slide) and isinstance(s.along, float)]
         others = [as_float(guide.along) for guide in guides if length_of(guide.name) != self.driver]
         return others[0] if len(others) < len(guides) and others else 0.0
+
+
+def crossing(
+    loop: Loop, unknowns: tuple[Scalar, ...], driver: Scalar
+) -> Iterator[tuple[tuple[str, float], ...]]:
+    """Yield the names and directions of each two guides of a loop that must not be parallel.
+
+    The slides on both are unknown, or one of them is driven and nothing else moves.
+    """
+    steps = [step for _, step in loop.steps()]
+    slides = [(step.name, step.along) for step in steps if isinstance(step, Slide)]
+    guides = [(name, along) for name, along in slides if isinstance(along, float)]
+    alone = {scalar_of(step) for step in steps} == {driver, *unknowns}
+    for pair in combinations(guides, 2):
+        both = {length_of(name) for name, _ in pair}
+        if both == set(unknowns) or (alone and driver in both):
+            yield pair
 
 
 def parallel(one: float, other: float) -> bool:

@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 from vad.errors import InputError
-from vad.kinematics.elementary import sine
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, length_of, parallel
 from vad.mechanisms.mechanism import Dimension, DrivenBySlide, angle, length
 
@@ -38,8 +37,3 @@ class DoubleSlider(DrivenBySlide):
             second=(Slide("OB", "slider_b", self.guide_b),),
         )
         return Linkage(length_of("slider_a"), (loop,), pivot="O")
-
-    def axes_apart(self) -> bool:
-        """Tell whether the guides are two lines, which may be traced."""
-        apart: bool = abs(sine(self.guide_b - self.guide_a)) > 0.0
-        return apart

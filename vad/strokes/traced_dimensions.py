@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from vad.errors import InputError, VadError
 from vad.kinematics.any_solver import AnySolver, Evaluation, Result
 from vad.kinematics.assemblies import assemblies
+from vad.kinematics.linkage import Linkage
 from vad.kinematics.program import Program
 from vad.kinematics.solver import other_solver, solver_of
 from vad.kinematics.space.solver import SpaceSolver
@@ -76,7 +77,8 @@ class TracedMotion:
     guards
         The decisions with which its record holds.
     lasting
-        How many of them, the first, are kept whatever the trials show: that axes are apart.
+        How many of them, the first, are kept whatever the trials show: that axes and guides are
+        apart.
     """
 
     mechanism: Mechanism
@@ -148,10 +150,13 @@ def _solver(mechanism: Mechanism, values: Values, own: Mechanism) -> AnySolver:
 def _traced(mechanism: Mechanism, inputs: Values, sizes: Values) -> TracedMotion:
     """Return a motion with traced inputs and dimensions, with every decision as a guard."""
     tape, given, traced = _inputs(inputs, {**sizes, **dict.fromkeys(sides_of(mechanism), 1.0)})
+    changed = mechanism.with_dimensions(traced)
+    linkage = changed.marked()
     with tape.watched():
-        changed = mechanism.with_dimensions(traced)
         if not changed.axes_apart():
             raise InputError("its axes are not apart")
+        if isinstance(linkage, Linkage) and not linkage.guides_apart():
+            raise InputError("its guides are not apart")
         lasting = len(tape.guards)
         solver = _solver(changed, traced, mechanism)
         _numbers(solver, tuple(given.values()), _results(solver))
