@@ -193,6 +193,14 @@ def test_the_image_of_a_link_grows_where_it_lands(browser: Browser, tmp_path: Pa
         assert small[low] + small[size] < large[low] + large[size] + 3.0
 
 
+def test_what_flies_has_a_layer_only_while_it_flies(lever: Page, flights: dict[int, Any]) -> None:
+    """All that a browser paints in front of the layer would need one, too."""
+    number = next(iter(flights))
+    boxes = "air => air.getClientRects().length"
+    assert flying(lever, number + 0.5) and lever.locator(".air").evaluate(boxes) == 1
+    assert flying(lever, number + 1.0) is None and lever.locator(".air").evaluate(boxes) == 0
+
+
 def test_each_kind_flies_from_its_panel(flights: dict[int, Any]) -> None:
     found = {each[1]: each[3] for each in flights.values()}
     assert found == {"tangential": 0, "normal": 0, "point": 0, "coriolis": 1}
