@@ -8,11 +8,11 @@ others on the machine disturb less, and how many questions a drag asks: it shoul
 What a move takes contains what the browser takes to be driven from outside, more than a millisecond
 on an empty page, and the frames in which the picture glides on after it.  So the time of a single
 frame is stated, too: the page makes one move in each of many frames by itself, and nothing watches
-it.  The pointer goes round a small circle in 60 frames.  The mean of these is taken twenty times:
-the least is nearest to what a frame takes on a quiet machine, as what else runs there only adds to
-it, and the median is what it takes on this one.  Machines differ by a factor of two, and a machine
-that others use does so from one minute to the next.  So beside it stands, from before and after
-these frames, the least that a frame takes in which one circle moves on an empty page.
+it.  The pointer goes round a small circle in 60 frames, some times, and the least mean of these is
+nearest to what a frame takes on a quiet machine, as what else runs there only adds to it.  A
+machine that others use is twice as fast in one minute as in the next.  So all mechanisms are
+measured in turn, five times.  Of a frame, the least of all is stated with what it takes at that
+time to move one circle on an empty page, and the median, which is what it takes on this machine.
 
 A picture can be seen at the next frame of the display at the earliest, and a pointer moves at any
 time between two frames.  So the moves are spread evenly over the time of a frame.  Otherwise each
@@ -24,11 +24,11 @@ from __future__ import annotations
 
 import math
 import os
-import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -37,7 +37,7 @@ from benchmarks.common import RESULTS, three, write_csv
 from tests.browser import launched, opened, until
 
 MOVES, FIRST, REST = 60, 10, 0.04  # the first ones load what is kept; seconds between two, at least
-ROUNDS, BESIDE = 20, 3  # of as many frames as moves; of those on an empty page, before and after
+PASSES, ROUNDS = 5, 4  # through all mechanisms; of as many frames as moves, in each
 #: The rest of the pause is a share of a frame.  That of each move, by its number: evenly spread,
 #: however many there are.
 FRAME, SPREAD = 1 / 60, (math.sqrt(5) - 1) / 2
@@ -88,46 +88,56 @@ _CIRCLE = """(count) => new Promise((done) => {
 })"""
 
 
+@dataclass(frozen=True)
+class Measured:
+    """One drag, frames and an empty page; times are in milliseconds.
+
+    Attributes
+    ----------
+    moves
+        From the newest move that a frame shows to its end.
+    worked
+        The page's work for a move that is made from outside.
+    frames, circle
+        The page's work for a frame, in each round, and for one of the empty page.
+    asked, load
+        Questions asked in the drag, and processes per core.
+    """
+
+    moves: np.ndarray
+    worked: float
+    frames: np.ndarray
+    circle: float
+    asked: int
+    load: float
+
+
 def main() -> None:
     """Measure and write ``results/hand.csv``."""
-    rows = []
+    found: dict[str, list[Measured]] = {name: [] for name in vad.MECHANISMS}
     with launched() as browser:
-        for name in vad.MECHANISMS:
-            beside = empty(browser)
-            times, worked, framed, asked = measured(browser, name)
-            least = three(min(beside, empty(browser)))
-            load = os.getloadavg()[0] / (os.cpu_count() or 1)
-            median, most = np.percentile(times[:, 1] - times[:, 0], [50, 95])
-            rows.append(
-                [
-                    name,
-                    len(times),
-                    *map(three, (median, most, worked, framed.min(), np.median(framed))),
-                    least,
-                    asked,
-                    f"{load:.1f}",
-                ]
-            )
-            print(*rows[-1], flush=True)
-    head = ["mechanism", "frames", "median ms", "p95 ms", "page cpu ms", "frame cpu ms"]
-    head += ["median frame cpu ms", "one circle cpu ms", "questions", "processes per core"]
-    write_csv(RESULTS / "hand.csv", head, rows, ("playwright",))
+        for _ in range(PASSES):
+            for name, passes in found.items():
+                passes.append(measured(browser, name))
+                print(name, *map(three, (passes[-1].frames.min(), passes[-1].circle)), flush=True)
+    head = ["mechanism", "moves", "median ms", "p95 ms", "page cpu ms", "frame cpu ms"]
+    head += ["one circle cpu ms", "median frame cpu ms", "questions", "processes per core"]
+    write_csv(RESULTS / "hand.csv", head, map(row, found, found.values()), ("playwright",))
 
 
-def empty(browser: object) -> float:
-    """Return the milliseconds of a frame in which one circle moves on an empty page."""
-    with opened(browser) as page:
-        page.set_content("<svg><circle r=6 cy=50></svg>")
-        metrics = page.context.new_cdp_session(page)
-        metrics.send("Performance.enable", {"timeDomain": "threadTicks"})
-        return worked_in(metrics, lambda count: page.evaluate(_CIRCLE, count), BESIDE).min()
+def row(name: str, passes: Sequence[Measured]) -> list[object]:
+    """Return a line of the table."""
+    moves = np.concatenate([each.moves for each in passes])
+    frames = np.concatenate([each.frames for each in passes])
+    best = min(passes, key=lambda each: each.frames.min())
+    times = [*np.percentile(moves, [50, 95]), np.median([each.worked for each in passes])]
+    times += [frames.min(), best.circle, np.median(frames)]
+    asked, load = sum(each.asked for each in passes), max(each.load for each in passes)
+    return [name, len(moves), *map(three, times), asked, f"{load:.1f}"]
 
 
-def measured(browser: object, name: str) -> tuple[np.ndarray, float, np.ndarray, int]:
-    """Return the times of each frame, the page's work, that of frames, and questions asked.
-
-    Work is in milliseconds: for a move that is made from outside, and for a frame in each round.
-    """
+def measured(browser: object, name: str) -> Measured:
+    """Measure a mechanism in the window, and an empty page after it."""
     command = [sys.executable, "-m", "vad", "gui", name, "--no-browser"]
     server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
     address = server.stdout.readline().strip()
@@ -138,8 +148,7 @@ def measured(browser: object, name: str) -> tuple[np.ndarray, float, np.ndarray,
             box = page.locator("[data-vad-grip]").bounding_box()
             x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
             page.evaluate(_WATCH)
-            metrics = page.context.new_cdp_session(page)
-            metrics.send("Performance.enable", {"timeDomain": "threadTicks"})
+            metrics = watched(page)
             page.mouse.move(x, y)
             page.mouse.down()
             before, asked = (0, 0.0), []
@@ -154,20 +163,37 @@ def measured(browser: object, name: str) -> tuple[np.ndarray, float, np.ndarray,
             times = np.array(page.evaluate("frames_"))[before[0] : after[0]]
             questions = len(asked)
             page.evaluate("watch_.abort()")
-            framed = worked_in(metrics, lambda count: page.evaluate(_FRAMES, [x, y, count]), ROUNDS)
+            frames = worked_in(metrics, lambda count: page.evaluate(_FRAMES, [x, y, count]))
             page.mouse.up()
             until(page, lambda: page.locator(".window.copied:not(.moving)").count(), 30)
-            return times, 1e3 * (after[1] - before[1]) / MOVES, framed, questions
     finally:
-        server.send_signal(signal.SIGINT)
+        server.terminate()
         server.wait()
+    with opened(browser) as page:
+        page.set_content("<svg><circle r=6 cy=50></svg>")
+        circle = worked_in(watched(page), lambda count: page.evaluate(_CIRCLE, count)).min()
+    return Measured(
+        moves=times[:, 1] - times[:, 0],
+        worked=1e3 * (after[1] - before[1]) / MOVES,
+        frames=frames,
+        circle=circle,
+        asked=questions,
+        load=os.getloadavg()[0] / (os.cpu_count() or 1),
+    )
 
 
-def worked_in(metrics: object, played: Callable[[int], object], rounds: int) -> np.ndarray:
+def watched(page: object) -> object:
+    """Return a page's metrics: they count its main thread's own time from now on."""
+    metrics = page.context.new_cdp_session(page)
+    metrics.send("Performance.enable", {"timeDomain": "threadTicks"})
+    return metrics
+
+
+def worked_in(metrics: object, played: Callable[[int], object]) -> np.ndarray:
     """Return the milliseconds of a frame of those that are played, in each of some rounds."""
     played(MOVES)
-    means = np.zeros(rounds)
-    for number in range(rounds):
+    means = np.zeros(ROUNDS)
+    for number in range(ROUNDS):
         begun = painting(metrics)
         played(MOVES)
         means[number] = 1e3 * (painting(metrics) - begun) / MOVES
