@@ -20,7 +20,6 @@ from typing import NamedTuple
 
 from vad import gate
 from vad.errors import InputError, quoted
-from vad.kinematics.elementary import sine
 from vad.kinematics.symbol import Symbol, as_complex, as_float
 
 # Lines at a smaller angle than this (in degrees) count as parallel: where they cross is so far away
@@ -384,14 +383,6 @@ class Linkage:
                 name = self.rods.get(slide.name, f"{slide.name}_rod")
                 found[slide.name] = Rod(name, point, -slide.turn)
         return found
-
-    def guides_apart(self) -> bool:
-        """Tell whether guides that must cross have two directions, which may be traced."""
-        apart = True
-        for loop, unknowns in zip(self.loops, self.unknowns, strict=True):
-            for one, other in crossing(loop, unknowns, self.driver):
-                apart = apart & (abs(sine(other[1] - one[1])) > 0.0)
-        return apart
 
     @property
     def frame(self) -> float:

@@ -22,13 +22,15 @@ from numpy.typing import NDArray
 from vad.errors import InputError, VadError
 from vad.kinematics.any_solver import AnySolver, Evaluation, Result
 from vad.kinematics.assemblies import assemblies
-from vad.kinematics.linkage import Linkage
+from vad.kinematics.elementary import sine
+from vad.kinematics.linkage import Linkage, crossing
 from vad.kinematics.program import Program
 from vad.kinematics.solver import other_solver, solver_of
 from vad.kinematics.space.solver import SpaceSolver
 from vad.kinematics.traced import Guard, Traced, TracedTape, made_of
 
 if TYPE_CHECKING:
+    from vad.kinematics.space.linkages import SpaceLinkage
     from vad.mechanisms.mechanism import Mechanism
 
 Values = Mapping[str, float]
@@ -153,14 +155,22 @@ def _traced(mechanism: Mechanism, inputs: Values, sizes: Values) -> TracedMotion
     changed = mechanism.with_dimensions(traced)
     linkage = changed.marked()
     with tape.watched():
-        if not changed.axes_apart():
-            raise InputError("its axes are not apart")
-        if isinstance(linkage, Linkage) and not linkage.guides_apart():
-            raise InputError("its guides are not apart")
+        if not (changed.axes_apart() and _guides_apart(linkage)):
+            raise InputError("its axes or guides are not apart")
         lasting = len(tape.guards)
         solver = _solver(changed, traced, mechanism)
         _numbers(solver, tuple(given.values()), _results(solver))
     return TracedMotion(changed, solver, given, traced, tape, tape.guards, lasting)
+
+
+def _guides_apart(linkage: Linkage | SpaceLinkage) -> bool:
+    """Tell whether guides that must cross have two directions, which may be traced."""
+    apart = True
+    if isinstance(linkage, Linkage):
+        for loop, unknowns in zip(linkage.loops, linkage.unknowns, strict=True):
+            for (_, along), (_, across) in crossing(loop, unknowns, linkage.driver):
+                apart = apart & (abs(sine(across - along)) > 0.0)
+    return apart
 
 
 def _inputs(
