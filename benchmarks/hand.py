@@ -8,9 +8,9 @@ others on the machine disturb less, and how many questions a drag asks: it shoul
 What a move takes contains what the browser takes to be driven from outside, more than a millisecond
 on an empty page, and the frames in which the picture glides on after it.  So the time of a single
 frame is stated, too: the page makes one move in each of many frames by itself, and nothing watches
-it.  The pointer goes round a small circle in 60 frames, some times, and the least mean of these is
-nearest to what a frame takes on a quiet machine, as what else runs there only adds to it.  A
-machine that others use is twice as fast in one minute as in the next.  So all mechanisms are
+it.  The pointer goes round a small circle in 60 frames, and the mean of these is taken four times.
+The least is nearest to what a frame takes on a quiet machine, as what else runs there only adds to
+it.  A machine that others use is twice as fast in one minute as in the next.  So all mechanisms are
 measured in turn, five times.  Of a frame, the least of all is stated with what it takes at that
 time to move one circle on an empty page, and the median, which is what it takes on this machine.
 
