@@ -66,6 +66,21 @@ def turn(mechanism: Mechanism, steps: int, some: Iterable[int] = ()) -> list[She
     return sheets
 
 
+def test_the_name_of_a_vector_meets_only_what_shows_after_its_stroke():
+    """Before, the letters of a pole stand there, which go into a lens two beats earlier."""
+    (sheet,) = still("excavator-bucket", 8)
+    sketch = planned(sheet, (1024, 768)).sketches["acceleration"]
+    spans = [tag.span for tag in sketch.tags if tag.text == "2ωv"]
+    (item,) = (
+        item
+        for item in sketch.items
+        if item.stroke == "acceleration:OS.coriolis" and item.level == Level.LABEL
+        if any(mark.role == "tag" for mark in item.marks)
+    )
+    assert (item.since, item.until) in spans
+    assert overlaps(sheet, (1024, 768)) == []
+
+
 @pytest.mark.parametrize("name", sorted(vad.MECHANISMS))
 def test_a_full_turn_of_every_mechanism(name: str):
     sheets = turn(vad.MECHANISMS[name](), steps=6)

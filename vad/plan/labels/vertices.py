@@ -397,7 +397,7 @@ def add_tag(
         leader = leader_of(ends[0], plain(start), placed.leader)
         marks.insert(0, replace(leader, growth=growth))
     sketch.add(stroke, Level.LABEL, since, marks, span[1])
-    sketch.tags.append(Tag(text, placed.box, span))
+    sketch.tags.append(Tag(text, placed.box, (since, span[1])))
 
 
 def _drawn(sketch: Sketch, stroke: Stroke, start: complex, end: complex) -> tuple[complex, complex]:
