@@ -178,3 +178,14 @@ def off(at: complex, start: complex, end: complex) -> float:
     """Return how far a place is from a line between two others."""
     along = (at - start) / (end - start)
     return abs(at - start - min(max(along.real, 0.0), 1.0) * (end - start))
+
+
+@pytest.mark.parametrize(
+    ("name", "size"), [("pin-on-rocker", {"DE": 1e-14}), ("pantograph", {"crank": 1e-15})]
+)
+def test_what_is_too_small_to_be_seen_is_drawn(name: str, size: dict[str, float]) -> None:
+    """An angle that rounds to 0° has no arc, and nothing is divided by it."""
+    mechanism = vad.load(example_path(name))(**size)
+    plan = planned(vad.draw(vad.solve(mechanism)))
+    shapes = [mark.shape for item in plan.items for mark in item.marks]
+    assert all(math.isfinite(bow.radius) for bow in shapes if isinstance(bow, Bow))

@@ -188,6 +188,8 @@ def _parts(obstacles: Obstacles, bow: Bow) -> list[tuple[float, float]]:
 
 def _crossings(obstacles: Obstacles, bow: Bow) -> int:
     """Return how many times strokes cross an arc, but for those that end it."""
+    if not bow.radius:
+        return 0
     lines = [each for each in obstacles.lines if not _is_own(each, bow) and each[0] != each[1]]
     starts, ends = (np.array([each[end] for each in lines], complex) - bow.centre for end in (0, 1))
     ways = ends - starts

@@ -203,6 +203,8 @@ def _opening(stroke: Stroke, placed: PlacedLine, obstacles: Obstacles) -> Bow | 
     angle, sense = said.parts["angle"], said.parts["sense"]
     assert isinstance(angle, Figure) and isinstance(sense, Sentence)
     sweep = angle.value if sense.phrase == "counter-clockwise" else -angle.value
+    if not sweep:
+        return None
     usual = min(max(ARC, ARC / abs(math.radians(sweep))), WIDEST_ARC)
     arcs = (Bow(placed.start, share * usual, bearing(placed.way) - sweep, sweep) for share in ARCS)
     return next(
