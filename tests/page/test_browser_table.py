@@ -11,6 +11,7 @@ import vad
 from tests.browser import opened, painted
 from tests.page.lessons import press, show, written
 from vad.files.examples import example_path
+from vad.page.document import document
 
 #: Moves the driver over its track; returns by how much cells are too near, and past their panel.
 _WALK = """() => {
@@ -40,6 +41,44 @@ def opened_hand(page: Page, folder: Path, name: str) -> None:
     show(page, folder, written(kind()), "#step=99")
     press(page, "End", "h")
     expect(page.locator(".turned:not(.staged)")).to_have_count(1)
+
+
+#: How far the number of each row is from the row's name.
+_BESIDE = """() => [...document.querySelectorAll(".results tbody tr")].map((row) => {
+  const head = row.querySelector("th");
+  const words = document.createTreeWalker(head, NodeFilter.SHOW_TEXT), range = new Range();
+  let end = 0;
+  while (words.nextNode()) {
+    range.selectNodeContents(words.currentNode);
+    const { right } = range.getBoundingClientRect();
+    if (words.currentNode.textContent.trim()) end = Math.max(end, right);
+  }
+  const cell = [...row.querySelectorAll(".cell")].find((each) => each.offsetWidth);
+  return cell ? cell.getBoundingClientRect().left - end : Infinity;
+})"""
+
+
+@pytest.mark.parametrize(
+    ("name", "language", "size"),
+    [
+        ("peaucellier", "fr", (1280, 720)),
+        ("shaper", "de", (1280, 720)),
+        ("jansen-leg", "fr", (1280, 720)),
+        ("whitworth", "en", (640, 360)),
+        ("scotch-yoke", "en", (320, 568)),
+    ],
+)
+def test_names_of_rows_stand_apart_from_their_numbers(
+    name: str, language: str, size: tuple[int, int], browser: Browser, tmp_path: Path
+) -> None:
+    kind = vad.MECHANISMS.get(name) or vad.load(example_path(name))
+    lesson = vad.animate(vad.draw(vad.solve(kind()), language=language))
+    wide, high = size
+    with opened(browser, viewport={"width": wide, "height": high}) as page:
+        show(page, tmp_path, document(lesson), "#hand")
+        expect(page.locator(".turned")).to_have_count(1)
+        assert min(page.evaluate(_BESIDE)) > 5.0
+        assert page.evaluate("document.documentElement.scrollWidth") <= wide
 
 
 @pytest.mark.exhaustive(12)

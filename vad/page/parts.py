@@ -39,8 +39,8 @@ from vad.plan.lettering.wrapping import cut, tied
 from vad.plan.marks import line
 from vad.plan.page.changing import caption_lines, figure_of, measuring
 from vad.plan.page.heads import APART, REMARK_SIZE, TITLE, Piece, compose
+from vad.plan.page.quarter import NAME_GAP, turn_sign
 from vad.plan.page.quarter import SIZE as ENTRY
-from vad.plan.page.quarter import turn_sign
 from vad.plan.page.table import CLEAR, EQUALS, VALUES, Columns, alike
 from vad.plan.page.table import table as laid_out
 from vad.plan.scale import bar
@@ -380,14 +380,16 @@ def _piece(board: Plan, piece: Piece, inker: Inker, words: RunWriter) -> str:
 def table(plan: Plan, key: float, inker: Inker, words: RunWriter) -> str:
     """Return the results of a sheet; ``key`` is the length of the line before a row's name."""
     sheet, say = plan.sheet, Language(plan.sheet.language).say
-    values = values_of(plan, key)
+    values, names = values_of(plan, key), [_named(row) for row in sheet.rows]
+    room = values - CLEAR - key - NAME_GAP
+    small = _shrunk(room, max((width(name, ENTRY) for name in names), default=room))
     heads = "".join(f'<th scope="col">{words.of(roman(p.title))}</th>' for p in sheet.panels)
     rows = "".join(
-        f'<tr role="row"><th scope="row" role="rowheader">{_key(number, key, inker, row.inked)}'
-        f"{words.of(roman(row.title + ' ') + symbols(row.letters))}</th>"
+        f'<tr role="row"><th scope="row" role="rowheader"{small}>'
+        f"{_key(number, key, inker, row.inked)}{words.of(name)}</th>"
         + "".join(measured_cells(plan, panel, row, words, values) for panel in sheet.panels)
         + "</tr>"
-        for number, row in enumerate(sheet.rows)
+        for number, (row, name) in enumerate(zip(sheet.rows, names, strict=True))
     )
     lefts = [place.drawing.left for place in plan.page.panels.values()]
     ends = [lefts[0], lefts[0] + values, *lefts[1:], plan.page.right]
@@ -400,6 +402,16 @@ def table(plan: Plan, key: float, inker: Inker, words: RunWriter) -> str:
         f'<colgroup>{columns}</colgroup><thead class="unseen"><tr><td></td>{heads}</tr></thead>'
         f'<tbody role="rowgroup">{rows}</tbody></table></div><p class="legend">{legend}</p>'
     )
+
+
+def _named(row: Row) -> Runs:
+    return roman(row.title + " ") + symbols(row.letters)
+
+
+def _shrunk(room: float, need: float) -> str:
+    """Return the style of what is as much smaller as it has too little room."""
+    share = f"{100 * room / max(need, room):.0f}"
+    return f' style="font-size:{share}%"' if share != "100" else ""
 
 
 def _key(number: int, key: float, inker: Inker, inked: bool) -> str:
@@ -429,8 +441,7 @@ def measured_cells(plan: Plan, panel: Panel, row: Row, words: RunWriter, values:
     if need > room and alike(cells, panel.name, plan.sheet.rows):
         readings = [_reading(plan, cell, bare=cell is not cells[-1]) for cell in cells]
         need = _need(cells, readings)
-    share = f"{100 * room / max(need, room):.0f}"
-    small = f' style="font-size:{share}%"' if share != "100" else ""
+    small = _shrunk(room, need)
     written = map(_cell, cells, readings, repeat(words))
     halves = []
     for half, measured in panel.measures(row):
