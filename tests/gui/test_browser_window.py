@@ -209,6 +209,48 @@ def test_a_dimension_asks_python_at_once(window: Page):
     assert state(window, "omega") == pytest.approx(-4 * math.pi)
 
 
+def test_what_was_typed_is_taken_back_after_the_fair_copy(window: Page):
+    """The page that Python sends for other dimensions keeps what was done last."""
+    load(window, "slider-crank")
+    turned = state(window)
+    window.locator("[name=crank]").fill("65")
+    window.keyboard.press("Enter")
+    still(window)
+    window.locator("[name=rod]").fill("150")
+    window.keyboard.press("Enter")
+    still(window)
+    undo = window.locator("[data-do=undo]")
+    for crank, rod in ((65, 140), (60, 140)):
+        undo.click()
+        assert (state(window, "crank"), state(window, "rod")) == (crank, rod)
+        still(window)
+    assert undo.is_disabled()
+    assert state(window) == turned
+
+
+def test_the_list_of_formats_closes(window: Page):
+    load(window, "slider-crank")
+    formats, opener = window.locator(".save"), window.locator(".save summary")
+    for away in ("Escape", "pointer", "Tab"):
+        opener.click()
+        assert formats.get_attribute("open") is not None
+        if away == "pointer":
+            window.locator("h1").click()
+        else:
+            for _ in range(20 if away == "Tab" else 1):
+                window.keyboard.press(away)
+        assert formats.get_attribute("open") is None, away
+    assert window.locator(".turned").count() == 1
+
+
+def test_the_address_at_a_limit_is_that_of_the_pose(window: Page):
+    load(window, "four-bar", crank=60, coupler=72)
+    window.locator("[name=angle]").fill("170")
+    window.keyboard.press("Enter")
+    until(window, lambda: f"angle={state(window)}" in window.evaluate("location.hash"))
+    assert state(window) == pytest.approx(142.37, abs=0.01)
+
+
 def test_the_other_assembly(window: Page):
     load(window, "slider-crank")
     before = cell(window, 2, 0)

@@ -88,7 +88,10 @@ function drawn() {
 function refused(error) {
   const dead = error.kind === "dead-centre";
   retry = null;
-  if (dead && stands()) return complain(null);
+  if (dead && stands()) {
+    complain(null);
+    return remember();
+  }
   if (dead && error.try && !aside) {
     aside = error.try;
     return want(true);
@@ -115,7 +118,7 @@ function complain(error) {
   root.classList.toggle("alone", error?.kind === "stopped");
   message.hidden = !broken;
   for (const box of root.querySelectorAll(".row input:not([type]), .size input:not([type]), .place input"))
-    box.toggleAttribute("aria-invalid", broken && (box.name || box.id.slice(6)) === error.field);
+    box.ariaInvalid = broken && (box.name || box.id.slice(6)) === error.field ? "true" : null;
   if (!broken) blamed = "";
   if (!broken) return tell("");
   const tries = error.try && Object.entries(error.try);

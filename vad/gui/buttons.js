@@ -114,6 +114,16 @@ for (const place of [bar, message]) place.addEventListener("click", ({ target })
     save(file.dataset.save);
   }
 });
+// The list of formats closes as any list does: by Escape, and by what is done elsewhere.
+const formats = find(".save");
+formats.addEventListener("keydown", (event) => {
+  if (event.key !== "Escape" || !formats.open) return;
+  formats.open = false;
+  formats.firstElementChild.focus();
+  event.preventDefault();
+});
+formats.addEventListener("focusout", ({ relatedTarget }) => { if (relatedTarget && !formats.contains(relatedTarget)) formats.open = false; });
+addEventListener("pointerdown", (event) => { if (!event.composedPath().includes(formats)) formats.open = false; }, true);
 for (const each of root.querySelectorAll("form")) each.addEventListener("submit", (event) => event.preventDefault());
 find("input[type=file]").addEventListener("change", ({ target }) => { opened(target.files[0]); target.value = ""; });
 find("#mechanism").addEventListener("change", async ({ target }) => {

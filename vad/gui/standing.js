@@ -56,7 +56,9 @@ function rules(looks) {
 
 // Puts a page in the place of the one that stands; what was open in that is open in this.
 function stand(answer) {
-  const again = stands(), was = again && memory(), made = parsed(answer.html);
+  const again = stands(), made = parsed(answer.html);
+  if (again && standing.dock.busy) standing.dock.commit(); // else what was done last could not be undone
+  const was = again && memory();
   leave();
   rules(answer.looks);
   root.className = "vad page window moving";
