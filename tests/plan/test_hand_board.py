@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import vad
+from tests.kinds import SPACE
 from vad.errors import VadError
 from vad.kinematics.reach import closing_range
 from vad.kinematics.traced import Traced, plain
@@ -23,6 +24,7 @@ from vad.plan.pictures.polygon import Polygon
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch
 from vad.strokes.draw import chosen
+from vad.words import languages
 
 EXAMPLES = {
     path.stem: vad.load(str(path))
@@ -39,10 +41,10 @@ EMPTY = 1e-4
 CHOSEN = ("speed", "tag")
 
 
-def board_of(name: str) -> HandBoard:
+def board_of(name: str, language: str = "en", lines: int = 1) -> HandBoard:
     mechanism: Mechanism = KINDS[name]()
     panels = chosen(None, vad.solve(mechanism))
-    return hand_board(mechanism, panels, "en", screen((1280, 720)), 1)
+    return hand_board(mechanism, panels, language, screen((1280, 720)), lines)
 
 
 def coordinates(sketches: dict[str, Sketch]) -> dict[tuple[Any, ...], float]:
@@ -161,6 +163,21 @@ def test_each_vertex_has_its_letters_in_every_pose() -> None:
     names = {(label.panel, label.name) for label in board_of("four-bar").labels}
     assert {("position", letter) for letter in "ABCD"} < names
     assert {("acceleration", each) for each in ("b′ₙ", "b′", "cₙ", "c″ₙ", "c′", "a′, d′")} < names
+
+
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize("name", SPACE)
+def test_notes_have_room_beside_all_poses_and_letters_keep_off_them(
+    name: str, language: str
+) -> None:
+    """Words in French and German are longer: then the views are smaller."""
+    board = board_of(name, language, 2)
+    views: Any = board.live.pictures["position"]
+    taken = [box for box, _ in board.sketches["position"].obstacles.boxes]
+    assert views.astray < 0.3
+    for note in views.poses[0].notes:
+        (box,) = (tag.box for tag in views.still.tags if tag.text == note.text)
+        assert box in taken
 
 
 def test_the_arrow_of_a_velocity_lies_on_no_link_in_any_pose() -> None:

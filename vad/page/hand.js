@@ -6,6 +6,7 @@
 //   closes       outputs that exist wherever they close
 //   guards       outputs that are truth values, and what they are while the picture holds
 //   rates        for each rate an output that exists wherever it does
+//   fastest      the largest rate of the driver that is taken
 //   dimensions   of each its name, value, ends, unit, its place among the inputs, and what is taken
 //   assemblies   of each its name, and the factors of its loops, which are the inputs "sides"
 //   limits       outputs that are zero where links part, and how they stand there
@@ -74,7 +75,8 @@ function driven(root, solve, data) {
 
   // The word that says why an input cannot have a value, and what it takes; no word where it can.
   function refused(index, value) {
-    const [least, most] = data.dimensions.find((each) => each[5] === index)?.[6] ?? [-Infinity, Infinity];
+    const rate = index && index < data.own.length ? data.fastest : Infinity;
+    const [least, most] = data.dimensions.find((each) => each[5] === index)?.[6] ?? [-rate, rate];
     return [value >= least && value <= most ? "" : least > 0 && value <= 0 ? "positive" : "beyond", least, most];
   }
 

@@ -14,6 +14,7 @@ from itertools import groupby
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from vad.gate import FASTEST
 from vad.kinematics.numbers import vector
 from vad.kinematics.program import Program
 from vad.kinematics.reach import closing_range
@@ -61,6 +62,8 @@ if TYPE_CHECKING:
 
 #: How much farther than at their best place labels with a leader may stand.
 _FAR = (0.030, 0.044, 0.058)
+#: What is farther than this from what it names has a leader.
+_BESIDE = 0.04
 #: The attributes of a shape that are set before it is seen.
 _SET = re.compile(r' (?:d|cx|cy)="[^"]*"')
 #: Elements of lines in one piece: other than a path, they are not styled anew when they move.
@@ -158,14 +161,15 @@ def hand(
                 layers[half.column] += polygon.lower_bar(halves.index(half.name), inker, since)
                 boxes.append([halves.index(half.name), *_box(polygon.bar_box, outputs)])
     polygons.sort(key=lambda polygon: polygon["mechanism"])
-    labels, nears = [], dict[tuple[tuple[float, ...], bool], int]()
+    labels, nears = [], dict[tuple[tuple[float, ...], int, bool], int]()
     for label in board.labels:
         column = traced.sheet.panel(label.panel).column
         element = inker.mark(text_at(label.runs, label.runs, 0j, label.size, label.role, label.row))
         since = begun.of(label.panel, label.stroke)
         layers[column] += f'<g class="label"{since}>{element}</g>'
         near = tuple(round(gap + label.radius, 5) for gap in label.near)
-        wish = _wish(label, nears.setdefault((near, label.led), len(nears)), outputs)
+        beside = sum(gap <= _BESIDE for gap in label.near) if label.led else len(near)
+        wish = _wish(label, nears.setdefault((near, beside, label.led), len(nears)), outputs)
         labels.append([halves.index(label.panel), *wish])
     blocks = [
         [halves.index(name), *outputs.listed(map(_rounded, (start, end))), round(half, 5)]
@@ -200,7 +204,8 @@ def hand(
         "labels": labels,
         "spelled": [spelled(_AGAIN.sub("", label.name), sheet.language) for label in board.labels],
         "nears": [
-            [[*near, *(near[0] + far for far in _FAR if led)], len(near)] for near, led in nears
+            [[*near, *(near[0] + far for far in _FAR if led)], beside]
+            for near, beside, led in nears
         ],
         "leader": inker.name(line([0j, 1.0 + 0j], "leader")),
         "blocks": blocks,
@@ -378,6 +383,7 @@ def _described(
         "own": [outputs.of(traced.inputs[name]) for name in names],
         "closes": [outputs.of(each) for each in closes],
         "rates": [outputs.of(each) for each in rates],
+        "fastest": FASTEST,
         "solved": template(found, board.mechanism.parameters(), outputs.of),
         "dimensions": list(dimensions(board, names)),
         "names": {

@@ -38,9 +38,10 @@ function outside(root, body, dock, player) {
       }
       const index = names.indexOf(name);
       if (index < 0) return wrong(filled(words.unknown, { name: name.slice(0, 60) }), filled(words.known, { names: names.join(", ") }));
-      if (typeof value !== "number" || !(Math.abs(value) <= 1e200)) return wrong(filled(words["no-number"], { name, value: typeof value === "number" ? value : quoted(value) }));
-      const [word, low, high] = body.refused(places[index], value), { [index - data.own.length]: dimension } = data.dimensions;
-      if (word) return wrong(filled(words[word], { name, value, low, high, unit: dimension[4] }), word === "positive" && value ? filled(words.try, { name, value: -value }) : "");
+      if (typeof value !== "number" || !Number.isFinite(value)) return wrong(filled(words["no-number"], { name, value: typeof value === "number" ? value : quoted(value) }));
+      const [word, low, high] = body.refused(places[index], value);
+      const unit = index < data.own.length ? data.units[index] : data.dimensions[index - data.own.length][4];
+      if (word) return wrong(filled(words[word], { name, value, low, high, unit }), word === "positive" && value ? filled(words.try, { name, value: -value }) : "");
       found[places[index]] = value;
     }
     return found;

@@ -8,7 +8,7 @@ scale is found is chosen (`vad.plan.scale`), and so is the placement of its labe
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Protocol
 
@@ -84,12 +84,12 @@ def _views(setting: Setting) -> Sketch:
     """
     panel, room = setting.panel, setting.room
     usual = setting.scale or views_scale(setting, [panel])
+    fixed = setting.scale or setting.centimetre
     best = Views(setting, [panel], usual).draw()
-    for share, side in () if setting.scale or setting.centimetre else SIZES:
+    for scale in () if fixed else _smaller(usual, room):
         if best.astray <= STRAY:
             break
-        about = room.centre + side * room.width / 2
-        other = Views(setting, [panel], usual.smaller(share, about)).draw()
+        other = Views(setting, [panel], scale).draw()
         best = min(best, other, key=lambda each: each.astray)
     if not (setting.lenses and has_close(setting, best.vertices)):
         return best
@@ -101,6 +101,12 @@ def _views(setting: Setting) -> Sketch:
         return sketch if not sketch.lenses or sketch.astray <= max(STRAY, best.astray) else None
 
     return with_lenses(setting, lensed)
+
+
+def _smaller(scale: Scale, room: Rect) -> Iterator[Scale]:
+    """Yield smaller scales, each with the picture in the middle and at both sides of its room."""
+    for share, side in SIZES:
+        yield scale.smaller(share, room.centre + side * room.width / 2)
 
 
 def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:
@@ -124,9 +130,19 @@ def over_reach(setting: Setting, poses: Sequence[Panel]) -> Skeleton | Views:
     """Return the picture of a mechanism for turning by hand, over the range of its driver."""
     scale = reach_scale(setting, poses)
     if setting.panel.picture == "views":
-        return Views(setting, poses, scale)
+        return _roomiest(setting, poses, scale)
     centres = {angle_centre(pose) for pose in poses} - {None}
     return Skeleton(setting, poses, scale, angle=len(centres) == 1)
+
+
+def _roomiest(setting: Setting, poses: Sequence[Panel], scale: Scale) -> Views:
+    """Return the views of all poses, smaller if their notes have no room beside all of them."""
+    best = Views(setting, poses, scale)
+    for each in _smaller(scale, setting.room):
+        if best.astray <= STRAY:
+            break
+        best = min(best, Views(setting, poses, each), key=lambda views: views.astray)
+    return best
 
 
 def reach_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:

@@ -149,6 +149,11 @@ class Views:
         """Where each note stands."""
         return self._standing[2]
 
+    @property
+    def astray(self) -> float:
+        """How far a note stands from its best place at most; infinite where one has no room."""
+        return max((aside.stray for aside in self.asides), default=0.0)
+
     @cached_property
     def _standing(self) -> tuple[Sketch, Obstacles, list[Aside]]:
         frame = tuple(s for s in self.poses[0].strokes if s.name in self._unmoved)
@@ -167,6 +172,7 @@ class Views:
         asides = add_notes(written, self._before.asides if self._before else ())
         for tag in still.tags:
             still.obstacles.block(tag.box)
+            still.obstacles.box(tag.box)
         return still, crowd, asides
 
     def pose(self, panel: Panel) -> Sketch:
@@ -181,7 +187,7 @@ class Views:
             if s.name not in self._unmoved and lasts(s) and (alone or not _is_helper(s))
         )
         setting = replace(self._setting, panel=replace(panel, strokes=strokes))
-        obstacles = Obstacles(setting.room, list(still.obstacles.lines))
+        obstacles = Obstacles(setting.room, [*still.obstacles.lines], [*still.obstacles.boxes])
         sketch = Sketch(setting, self.scale, obstacles, finished=True)
         for index in range(len(strokes)):
             add_stroke(sketch, index)
