@@ -90,6 +90,24 @@ def test_the_curve_of_an_angle_names_the_whole_turn(page: Page) -> None:
     assert page.locator(".plots figure").first.locator("span").first.inner_text() == "360.0°"
 
 
+def test_a_range_through_0_has_a_part_at_each_end_of_the_curve(
+    browser: Browser, tmp_path: Path
+) -> None:
+    """No line joins them: there the links do not close."""
+    with opened(browser, viewport={"width": 1280, "height": 820}) as page:
+        show(page, tmp_path, written(vad.FourBar(crank=60, coupler=72)))
+        page.evaluate(HELD)
+        switch(page, "Curves")
+        data = page.locator(".plots path[style*='ink2']").first.get_attribute("d") or ""
+    parts = [np.array(re.findall(r"[-\d.e+]+", part), dtype=float)[::2] for part in data.split("M")]
+    places = [part for part in parts if part.size]
+    assert all(np.all(np.diff(part) > 0.0) for part in places)
+    low, high = 360.0 - 142.4, 142.4  # where the coupler and the rocker are in line
+    assert [min(map(np.min, places)), max(map(np.max, places))] == pytest.approx([0, 360], abs=0.1)
+    between = np.concatenate(places)
+    assert not np.any((between > high) & (between < low))
+
+
 def test_a_range_that_is_not_a_turn_is_covered(browser: Browser, tmp_path: Path) -> None:
     """B of the double slider runs from one end of its guide to the other."""
     with opened(browser, viewport={"width": 1280, "height": 820}) as page:

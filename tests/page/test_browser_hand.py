@@ -179,10 +179,34 @@ def test_every_key_of_the_hand(page: Page) -> None:
     expect(page.locator(".vad")).not_to_have_class(re.compile("turned"))
 
 
+def test_the_list_of_keys_opens_over_the_hand(page: Page) -> None:
+    press(page, "h", "?")
+    expect(page.locator("dialog")).to_be_visible()
+    press(page, "Escape")
+    expect(page.locator("dialog")).not_to_be_visible()
+    expect(page.locator(".vad")).to_have_class(re.compile("turned"))
+
+
+def test_the_hand_gives_back_a_chapter_that_was_chosen(page: Page) -> None:
+    press(page, "3")
+    count, chapter = page.locator(".count"), page.locator(".chapters [aria-current=true]")
+    expect(count).to_have_text("0 / 13")
+    press(page, "h")
+    expect(page.locator("[data-do=return]")).to_contain_text("Back to the lesson")
+    press(page, "Escape")
+    expect(count).to_have_text("0 / 13")
+    expect(chapter).to_have_text("Acceleration")
+    press(page, "h", "2")
+    expect(count).to_have_text("0 / 7")
+    expect(chapter).to_have_text("Velocity")
+
+
 def test_play_turns_the_crank(page: Page) -> None:
     press(page, "h", " ")
     until(page, lambda: angle(page) > 63)
+    expect(page.locator(".said p")).to_contain_text("The mechanism runs by itself.")
     press(page, " ")
+    expect(page.locator(".said p")).to_contain_text("You turn the crank.")
     stopped = angle(page)
     assert len(str(stopped)) <= 5, "it goes in tenths"
     page.wait_for_timeout(100)
@@ -210,9 +234,46 @@ def test_the_box_reads_numbers_and_refuses_the_rest(page: Page) -> None:
     assert angle(page) == 200.25
     box.fill("")
     press(page, "Enter")
-    expect(box).to_have_attribute("aria-invalid", "")
+    expect(box).to_have_attribute("aria-invalid", "true")
     expect(page.locator(".said p")).to_contain_text("must be a finite number")
     assert angle(page) == 200.25
+
+
+def test_what_was_refused_is_marked_until_something_else_is_done(page: Page) -> None:
+    press(page, "h")
+    crank, rocker = page.locator("[name=crank]"), page.locator("[name=rocker]")
+    for after in ("drag", "type", "leave"):
+        crank.fill("1/3")
+        press(page, "Enter")
+        expect(crank).to_have_attribute("aria-invalid", "true")
+        if after == "drag":
+            page.mouse.move(*middle(page, "[data-vad-grip]"))
+            page.mouse.down()
+            page.mouse.move(*about(page, 70, 80), steps=3)
+            page.mouse.up()
+        elif after == "type":
+            rocker.fill("85")
+            press(page, "Enter")
+        else:
+            crank.blur()
+            press(page, "Escape", "h")
+        expect(crank).not_to_have_attribute("aria-invalid", "true")
+        expect(crank).to_have_value("40")
+
+
+def test_every_way_to_a_pose_hatches_where_the_links_do_not_close(page: Page) -> None:
+    press(page, "h")
+    hatched = page.locator(".ticks s")
+    expect(hatched).to_have_count(0)
+    page.evaluate("() => void vad.pose({ crank: 60, coupler: 72 })")
+    expect(hatched).to_have_count(1)
+    press(page, "Control+z")
+    expect(hatched).to_have_count(0)
+
+
+def test_the_choice_of_an_assembly_has_a_name(page: Page) -> None:
+    press(page, "h")
+    expect(page.get_by_role("radiogroup", name="Assembly")).to_have_count(1)
 
 
 def test_rates_are_set_in_the_rail(page: Page) -> None:
@@ -252,6 +313,7 @@ def test_what_is_wrong_is_said_and_nothing_changes(page: Page) -> None:
         ("{ angle: '3' }", "angle: must be a finite number"),
         ("{ angle: NaN }", "angle: must be a finite number, got NaN"),
         ("{ angle: [3] }", "angle: must be a finite number"),
+        ("{ omega: 1e61 }", "omega: must be from -1e+60 to 1e+60 rad/s, where numbers are right"),
         (
             "{ assembly: 'parallel' }",
             'assembly: must be "open" or "crossed" in this page, got "parallel"',
@@ -590,6 +652,7 @@ def test_an_angle_of_many_turns_is_folded(page: Page) -> None:
         (-370.0, 350.0),
         (1000.0, 280.0),
         (1e9, 280.0),
+        (1e99, 96.0),
         (360.0, 0.0),
         (40.5, 40.5),
     ):

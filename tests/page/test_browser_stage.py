@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Browser, Page
 
 import vad
-from tests.browser import opened, until
+from tests.browser import opened, painted, until
 from tests.page.lessons import FIRST, STROKES, bundle_of, page_of, press, scrub, show, written
 
 #: Where the drawings are, the panels and the table, when all have come to rest.
@@ -154,6 +154,57 @@ def test_the_hand_keeps_the_arrangement_of_the_moment(lesson: Page) -> None:
     lesson.locator("[data-do=all]").click()
     assert lesson.evaluate(_PLACES)["drawings"] == places(lesson, STROKES)["drawings"]
     press(lesson, "Escape")
+
+
+#: Where the first drawing and its letters are: their left ends and their widths.
+_LAYERS = """() => [...document.querySelector(".drawing").querySelectorAll("svg")].map((svg) => {
+  const { a, e } = svg.getScreenCTM();
+  return [a, e];
+})"""
+
+
+def test_what_was_let_go_of_glides_to_its_place(lesson: Page) -> None:
+    """A thumbnail shows all the room that its mechanism needs, but not while it is held."""
+    places(lesson, FIRST[1] + 3)
+    ring = lesson.locator("[data-vad-grip]").bounding_box()
+    x, y = ring["x"] + ring["width"] / 2, ring["y"] + ring["height"] / 2
+    lesson.mouse.move(x, y)
+    lesson.mouse.down()
+    lesson.mouse.move(x - 5, y, steps=3)
+    (held, _) = lesson.evaluate(_LAYERS)
+    # In the frame in which it is let go of nothing has moved; later it has, with its letters.
+    lesson.evaluate(
+        """() => addEventListener("pointerup", () => requestAnimationFrame(() => {
+          for (const each of document.getAnimations()) { each.pause(); each.currentTime = 0; }
+        }), { once: true })"""
+    )
+    lesson.mouse.up()
+    painted(lesson)
+    own, above = lesson.evaluate(_LAYERS)
+    assert own == pytest.approx(held, rel=1e-4) and above == pytest.approx(own, rel=1e-6)
+    lesson.evaluate("() => document.getAnimations().forEach((each) => each.finish())")
+    own, above = lesson.evaluate(_LAYERS)
+    assert own[0] < 0.95 * held[0] and above == own
+    press(lesson, "Escape")
+    until(lesson, lambda: not lesson.locator(".turned").count())
+
+
+def test_letters_glide_with_their_drawing_when_all_is_asked_for(lesson: Page) -> None:
+    places(lesson, FIRST[1] + 3)
+    press(lesson, "h")
+    lesson.locator("[data-do=all]").click()
+    lesson.evaluate(
+        """() => document.getAnimations().forEach((each) => {
+          each.pause();
+          each.currentTime = 400;
+        })"""
+    )
+    own, above = lesson.evaluate(_LAYERS)
+    assert above == pytest.approx(own, rel=1e-6)
+    lesson.evaluate("() => document.getAnimations().forEach((each) => each.finish())")
+    assert lesson.evaluate(_LAYERS)[0][0] != pytest.approx(own[0], rel=0.05)
+    press(lesson, "Escape")
+    until(lesson, lambda: not lesson.locator(".turned").count())
 
 
 def test_letters_under_the_hand_lie_over_their_lines(lesson: Page) -> None:

@@ -11,7 +11,7 @@
 
 // A curve whose highest places are so many times as high as all but a few has no end. One that
 // changes by less than this part of its largest value is level.
-const SAMPLES = 361, MOST = 0.98, ENDLESS = 2, LEVEL = 1e-9;
+const SAMPLES = 361, MOST = 0.98, ENDLESS = 4, LEVEL = 1e-9;
 
 function curved(root, body, dock, showing) {
   const { data, solve, view } = body, { columns, tracks } = data.curves;
@@ -33,7 +33,9 @@ function curved(root, body, dock, showing) {
     if (now === known) return;
     known = now;
     const whole = body.ranges.reduce((sum, [low, high]) => sum + high - low, 0) || 1;
-    places = body.ranges.flatMap(([low, high]) => {
+    // A stretch through 0° has a part at each end of the curve.
+    const parts = body.ranges.flatMap(([low, high]) => body.turns && low < 0 && high > 0 ? [[low, 0], [0, high]] : [[low, high]]);
+    places = parts.flatMap(([low, high]) => {
       const count = Math.max(2, Math.round(SAMPLES * (high - low) / whole));
       return [...Array(count).keys()].map((i) => low + (high - low) * (i + 0.0005) / (count - 0.999)).concat(NaN);
     });
@@ -171,6 +173,6 @@ function curved(root, body, dock, showing) {
   for (const [name, key] of [["curves", "c"], ["hodographs", "o"], ["paths", "p"]]) {
     const button = showing(data.words[name], data.curves.on.includes(name), (on) => toggle(name, on));
     button.setAttribute("aria-keyshortcuts", key.toUpperCase());
-    dock.keys[key] = () => button.click();
+    dock.shortcuts[key] = () => button.click();
   }
 }

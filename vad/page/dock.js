@@ -27,7 +27,7 @@ function docked(root, body, player) {
   const little = turns ? 1 : round125((high - low) / 100), far = turns ? 90 : (high - low) / 4;
   const digits = turns ? 1 : Math.max(0, 1 - Math.floor(Math.log10(little)));
   const listeners = [];
-  let held = false, gliding = false, kept = 0, past = [], future = [], before = null, frame = 0, timer = 0, way = 1, mishap = "", spoken = "";
+  let held = false, gliding = false, kept = 0, past = [], future = [], before = null, frame = 0, timer = 0, way = 1, mishap = "", spoken = "", scaled = null, begins = false;
 
   // Numbers are written and read as the page's language does.
   const number = (value, places = digits) => value.toFixed(places).replace("-", "−").replace(".", data.point);
@@ -35,7 +35,7 @@ function docked(root, body, player) {
     const plain = typed.trim().replace(/[−–]/g, "-").replace(data.point, ".");
     const [, digits, other] = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?)\s*(.*)$/i.exec(plain) ?? [];
     const value = digits * (!other || other === own ? 1 : data.readable[own]?.[other]);
-    return Math.abs(value) <= 1e200 ? value : null;
+    return Number.isFinite(value) ? value : null;
   };
   // As the table writes it, but as many decimals as a step has are there always.
   const here = () => {
@@ -59,7 +59,7 @@ function docked(root, body, player) {
     if (body.atEnd) return [filled(words.limit, { place: placed(), why: body.parting() ?? words.parted }), ""];
     if (body.dead) return [filled(words.dead, { place: placed() }), ""];
     const [panel, step] = player.where(), whole = player.x >= player.strokes();
-    return [words[data.turn], whole ? "" : filled(words.shown, { panel: data.panels[panel], step })];
+    return [words[running() ? "runs" : data.turn], whole ? "" : filled(words.shown, { panel: data.panels[panel], step })];
   }
 
   function say() {
@@ -78,8 +78,10 @@ function docked(root, body, player) {
 
   function shown() {
     if (!held) return;
+    if (scaled !== body.ranges) scale();
     track.value = body.place;
-    if (document.activeElement !== box) box.value = here();
+    if (document.activeElement !== box || (box.ariaInvalid && !mishap)) box.value = here();
+    if (!mishap) box.ariaInvalid = null;
     say();
     for (const listener of listeners) listener();
   }
@@ -95,6 +97,7 @@ function docked(root, body, player) {
     const step = turns ? 15 : round125((high - low) / 20), named = turns ? 90 : 5 * step;
     const at = (place) => `calc(9px + (100% - 18px) * ${share(place).toFixed(5)})`;
     ticks.replaceChildren();
+    scaled = body.ranges;
     const add = (kind, place, words = "") => {
       const tick = document.createElement(kind);
       tick.style.left = at(place);
@@ -156,7 +159,6 @@ function docked(root, body, player) {
     if (!from.length) return;
     to.push([...state]);
     body.set(from.pop());
-    scale();
     body.said();
     able();
     timer = setTimeout(speak, REST);
@@ -176,7 +178,6 @@ function docked(root, body, player) {
     begin();
     body.set(body.assembled(number));
     body.move(by);
-    scale();
     commit();
   }
 
@@ -193,6 +194,7 @@ function docked(root, body, player) {
     if (gliding) halt();
     if (held) return;
     held = true;
+    begins = player.begins;
     player.take(acts);
     player.seek(Math.ceil(player.x));
     kept = player.x;
@@ -207,7 +209,6 @@ function docked(root, body, player) {
     one("[data-do=lesson]").setAttribute("aria-pressed", false);
     one("[data-do=hand]").setAttribute("aria-pressed", true);
     offer();
-    scale();
     body.show();
   }
 
@@ -223,7 +224,7 @@ function docked(root, body, player) {
     const whole = kept >= player.strokes() || !kept, [panel, step] = player.where();
     const hint = document.createElement("kbd");
     hint.textContent = words["key-escape"];
-    const long = whole || player.x !== kept ? words["return-lesson"] : filled(words.return, { panel: data.panels[panel], step });
+    const long = whole || begins || player.x !== kept ? words["return-lesson"] : filled(words.return, { panel: data.panels[panel], step });
     back.replaceChildren(span("long", long), span("short", words["return-short"]), " ", hint);
     all.hidden = player.x >= player.strokes();
   }
@@ -252,6 +253,7 @@ function docked(root, body, player) {
     const over = () => {
       held = gliding = false;
       [past, future, mishap] = [[], [], ""];
+      box.ariaInvalid = null;
       clearTimeout(timer);
       able();
       const lost = document.activeElement?.closest?.(".said, .dial, .set, .own");
@@ -263,7 +265,8 @@ function docked(root, body, player) {
       one("[data-do=lesson]").setAttribute("aria-pressed", true);
       one("[data-do=hand]").setAttribute("aria-pressed", false);
       player.take(null);
-      player.seek(kept);
+      if (begins) player.does.chapter(kept);
+      else player.seek(kept);
       for (const listener of listeners) listener();
     };
     if (atOnce === true) { body.set(data.start); over(); }
@@ -315,7 +318,7 @@ function docked(root, body, player) {
   // The page of a turn: the mechanism runs, unless its reader wants no motion.
   function run() {
     enter();
-    for (const name of ["c", "o"]) acts.keys[name]?.();
+    for (const name of ["c", "o"]) acts.shortcuts[name]?.();
     if (!calm.matches) play();
   }
 
@@ -328,8 +331,8 @@ function docked(root, body, player) {
     forward: (fine) => go(fine ? little / 10 : little),
     play,
     onward: () => {},
-    chapter: (to) => { leave(true); player.seek(to); },
-    keys: {
+    chapter: (to) => { leave(true); player.does.chapter(to); },
+    shortcuts: {
       PageUp: () => go(-15 * little),
       PageDown: () => go(15 * little),
       Escape: () => leave(),
@@ -361,7 +364,7 @@ function docked(root, body, player) {
   });
   player.on(box, "change", () => {
     const value = read(box.value, unit);
-    box.toggleAttribute("aria-invalid", value === null);
+    box.ariaInvalid = value === null ? "true" : null;
     if (value === null) return fault(filled(words["no-number"], { name: one(".place span").textContent, value: box.value || "–" }));
     begin();
     body.set([value, ...state.slice(1)]);
@@ -386,17 +389,19 @@ function docked(root, body, player) {
   if (player.large[0] >= 0) arranged();
   body.reads(shown);
   player.on(window, "beforeprint", body.said);
-  dragged(root, body, begin, () => { commit(); player.fit(); });
+  dragged(root, body, begin, () => { commit(); player.settle(); });
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
 
   return {
-    run, keys: acts.keys, point, assemble, begin, commit, settle, enter, leave, say, scale, number, read, fault,
+    run, shortcuts: acts.shortcuts, point, assemble, begin, commit, settle, enter, leave, say, number, read, fault,
     on: (listener) => listeners.push(listener),
     // Whom to ask for what this page's program does not hold for: beyond(name, value).
     beyond: null,
     // The lesson is now that of another pose, and its cells are as they stand.
     renew: () => { written = said(); if (held) { scale(); offer(); } },
     get held() { return held; },
+    // Whether something that was asked for is said not to go.
+    get faulty() { return mishap !== ""; },
     // Whether a gesture is not yet over.
     get busy() { return before !== null; },
     get history() { return [past, future]; },

@@ -413,7 +413,7 @@ export function mount(root, data, { address = true } = {}) {
     if ((name === " " || name === "Enter") && target.closest?.("button, a, summary")) return;
     const what = KEYS[name] ?? (name === " " || letters ? LETTERS[name] : undefined);
     const chapter = letters && /^[1-9]$/.test(name) ? lesson.first[name - 1] : undefined;
-    if (others?.keys[name] && (letters || name.length > 1)) others.keys[name](event.shiftKey);
+    if (others?.shortcuts[name] && (letters || name.length > 1)) others.shortcuts[name](event.shiftKey);
     else if (what) act(what, event.shiftKey || target === scrub);
     else if (chapter !== undefined) act("chapter", chapter);
     else if (letters && "+-−=".includes(name)) faster("+=".includes(name) ? 1 : -1);
@@ -475,10 +475,12 @@ export function mount(root, data, { address = true } = {}) {
   return {
     load, seek, play, stop, place, does, on, speed, status, stage,
     take: (mode) => { stop(); others = mode; label(lesson.words.play); follow(); },
-    fit: scene.draw,
+    fit: scene.draw, settle: scene.settle,
     // The last stroke that is drawn: its panel, and its number there.
     where: () => { const last = Math.max(0, Math.ceil(x) - 1), panel = panelOf(last); return [panel, last - lesson.first[panel] + 1]; },
     strokes,
+    // Whether a chapter was chosen, and nothing of it is drawn yet.
+    get begins() { return x > 0 && x === lesson.first[lesson.panel]; },
     // Whether all of a panel is drawn.
     whole: (panel) => x >= lesson.first[panel] + length(panel),
     dispose: () => { stop(); sends.stop(); scene.dispose(); sized.disconnect(); measured.disconnect(); root.classList.remove("sized"); over.abort(); },

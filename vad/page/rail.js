@@ -40,8 +40,11 @@ function railed(root, body, dock) {
     // Most of a mechanism's numbers stay while its driver moves.
     let shown = "";
     const show = () => {
-      const typing = document.activeElement === box, says = written(tidy(state[index], step)), now = `${state[index]} ${typing ? box.value : says}`;
-      if (now === shown) return;
+      // What was refused stays until something else is done.
+      const past = box.ariaInvalid && !dock.faulty, typing = document.activeElement === box && !past;
+      const says = written(tidy(state[index], step)), now = `${state[index]} ${typing ? box.value : says}`;
+      if (past) box.ariaInvalid = null;
+      else if (now === shown) return;
       shown = now;
       slider.value = state[index];
       if (!typing) box.value = says;
@@ -52,22 +55,22 @@ function railed(root, body, dock) {
       dock.say();
       if (dock.beyond && (body.refused(index, value)[0] || !body.holds(state.map((each, i) => (i === index ? value : each))))) return dock.beyond(name, value);
       const said = reached(index, value, step / STEPS);
-      dock.scale();
       dock.settle();
       show();
       const [asked, kept] = [value, state[index]].map((each) => written(tidy(each, step)));
       const active = box === document.activeElement;
-      box.toggleAttribute("aria-invalid", active && said !== "");
+      box.ariaInvalid = active && said ? "true" : null;
       if (said) dock.fault(filled(words[said], { name: label.textContent, place: `${asked} ${unit}`, value: `${kept} ${unit}` }));
       else if (active) box.value = asked;
     };
     const typed = () => {
       const value = dock.read(box.value, unit), [word, ...ends] = value === null ? ["no-number"] : body.refused(index, value);
-      box.toggleAttribute("aria-invalid", word);
+      box.ariaInvalid = null;
       if (!word || (word === "beyond" && dock.beyond)) return change(value);
       dock.begin();
       const [least, most] = ends.map((each) => written(tidy(each, step)));
       dock.fault(filled(words[word], { name: label.textContent, value: box.value || "–", low: least, high: most, unit }));
+      box.ariaInvalid = "true";
     };
     slider.addEventListener("input", () => change(Math.round(slider.value / step) * step));
     slider.addEventListener("change", dock.commit);
@@ -75,7 +78,7 @@ function railed(root, body, dock) {
     box.addEventListener("change", typed);
     box.addEventListener("keydown", (event) => {
       if (event.key !== "Escape") return;
-      box.removeAttribute("aria-invalid");
+      box.ariaInvalid = null;
       box.blur();
       show();
       event.stopPropagation();
@@ -120,8 +123,8 @@ function railed(root, body, dock) {
 
   // In which way it is assembled: of each point that is placed, or of the whole mechanism, a choice.
   const taken = () => data.assemblies[body.assembly()][0];
-  const choices = data.places.map(([point, words]) => {
-    const buttons = words.map(([word, text]) => {
+  const choices = data.places.map(([point, ways]) => {
+    const buttons = ways.map(([word, text]) => {
       const input = element("input", { type: "radio", name: `place ${point}`, value: word });
       input.addEventListener("change", () => {
         const wanted = point ? { ...taken(), [point]: word } : word;

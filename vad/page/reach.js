@@ -37,6 +37,7 @@ function trimmedTo(closes, known) {
 // The stretch in which a place lies, and the place in it; of a place beyond all the nearest end.
 function placed(ranges, place, turns) {
   let best = null;
+  if (turns) place %= 360; // exact, however many turns it is
   for (const range of ranges) {
     const whole = turns ? -360 * Math.round((place - (range[0] + range[1]) / 2) / 360) : 0;
     for (const more of turns ? [whole, whole + 360, whole - 360] : [0]) {

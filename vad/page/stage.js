@@ -1,16 +1,22 @@
 // The stage of a lesson: on a wide page the panel in work is large, beside thumbnails, and drawn anew
 // for its room (vad/page/large.py). A change of panels is a move.
 //
-// staging(root, calm) -> {load, to, panel, large, dispose}. load(lesson) before all else;
-// to(panel, atOnce, seconds) brings a panel into work, -1 the whole sheet. The root then hears
+// staging(root, calm) -> {load, to, settle, panel, large, dispose}. load(lesson) before all else;
+// to(panel, atOnce, seconds) brings a panel into work, -1 the whole sheet; settle() lets what the hand
+// moved glide to its place. The root then hears
 // "vad:stage": large is the panel that is drawn large, or -1 where none is.
 
 // A thumbnail's lines are at most so many times as large as on the sheet.
 const MOST_SMALL = .8, CROWD = 10;
+// How a picture glides; milliseconds until one that was let go stands; what is no move, in pixels.
+const SOFT = "cubic-bezier(.333,0,.667,1)", SETTLES = 250, SAME = .01;
 
 function staging(root, calm) {
   const all = (selector) => [...root.querySelectorAll(selector)], roomy = matchMedia("screen and (min-width: 48rem) and (min-height: 27.5rem)");
   let lesson, panels = [], views = [], panel = -1, large = -1, printed = false;
+
+  // A picture, and what lies upon it.
+  const layers = (picture) => [picture, ...picture.parentNode.querySelectorAll(".over > svg")];
 
   // Where a place of a panel on the sheet stands in the window: a factor, and a shift right and down.
   function seen(picture, i) {
@@ -45,7 +51,7 @@ function staging(root, calm) {
       const size = Math.min(width / wide, height / high, small ? MOST_SMALL * u : Infinity);
       const across = small ? width / size : wide, up = small ? height / size : high;
       const shown = large < 0 || !(size > 0) ? views[i] : [x + (wide - across) / 2, y + (high - up) / 2, across, up].map((each) => each.toFixed(2)).join(" ");
-      for (const each of [picture, ...picture.parentNode.querySelectorAll(".over > svg")])
+      for (const each of layers(picture))
         if (each.getAttribute("viewBox") !== shown) each.setAttribute("viewBox", shown); // else all is laid out anew
       const seen = i === large ? size : panels[i].matches(".large .big") && picture.getScreenCTM().a;
       for (const [owner, name, value] of [[panels[i].style, "--k", small && size / u], [top.style, "--s", seen && `${seen}px`], [top.style, "--q", i === large && factor]])
@@ -88,8 +94,8 @@ function staging(root, calm) {
     if (!lesson.move.length) next = -1;
     if (next === panel && !atOnce) return;
     const { pictures } = lesson, others = [...all(".top, .foot"), ...all(".results")], from = pictures.map(seen);
-    [...pictures, ...others].forEach((each) => each.getAnimations().forEach((old) => old.cancel()));
-    const timing = { duration: calm.matches ? 200 : 1000 * seconds, easing: "cubic-bezier(.333,0,.667,1)" };
+    [...pictures.flatMap(layers), ...others].forEach((each) => each.getAnimations().forEach((old) => old.cancel()));
+    const timing = { duration: calm.matches ? 200 : 1000 * seconds, easing: SOFT };
     if (calm.matches && !atOnce) fading(pictures, timing);
     panel = next;
     root.classList.toggle("staged", panel >= 0);
@@ -99,19 +105,33 @@ function staging(root, calm) {
     draw();
     if (atOnce) return;
     for (const each of calm.matches ? [...pictures, ...others] : others) each.animate([{ opacity: 0 }, {}], timing);
-    if (!calm.matches) pictures.forEach((picture, i) => {
+    if (!calm.matches) glide(from, timing);
+  }
+
+  // Each picture goes from where it was to where it is, and under the hand what lies upon it.
+  function glide(from, timing) {
+    lesson.pictures.forEach((picture, i) => {
       const { left, top, width } = picture.getBoundingClientRect(), [size, x, y] = from[i], [whole, u, v] = seen(picture, i), part = size / whole;
       // A place of the sheet, and so all others, is where it was.
       const shift = [x - left - part * (u - left), y - top - part * (v - top)];
-      if (width && part) picture.animate([{ transformOrigin: "0 0", transform: `translate(${shift.map((each) => `${each}px`)}) scale(${part})` }, { transformOrigin: "0 0" }], timing);
+      if (width && part) for (const each of root.matches(".turned") ? layers(picture) : [picture])
+        each.animate([{ transformOrigin: "0 0", transform: `translate(${shift.map((each) => `${each}px`)}) scale(${part})` }, { transformOrigin: "0 0" }], timing);
     });
+  }
+
+  // What a hand has let go of may have another place, and glides there.
+  function settle() {
+    const from = lesson.pictures.map(seen);
+    draw();
+    const moved = lesson.pictures.some((picture, i) => seen(picture, i).some((each, k) => Math.abs(each - from[i][k]) > SAME));
+    if (moved && !calm.matches) glide(from, { duration: SETTLES, easing: SOFT });
   }
 
   const over = new AbortController();
   roomy.addEventListener("change", draw, { signal: over.signal });
   for (const name of ["beforeprint", "afterprint"]) addEventListener(name, () => { printed = name === "beforeprint"; draw(); }, { signal: over.signal });
   return {
-    load, to, draw,
+    load, to, draw, settle,
     // Whether a mark is in the picture that its panel shows, on the sheet or large.
     shows: (mark) => Boolean(mark.closest(".scene")) === (mark.ownerSVGElement === lesson.pictures[large]),
     dispose: () => { fitted.disconnect(); over.abort(); },

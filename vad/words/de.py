@@ -1101,6 +1101,7 @@ HAND = {
     "turn-crank": "Die Kurbel ist in der Hand.",
     "turn-link": "Das antreibende Glied ist in der Hand.",
     "move-slide": "Der Antrieb ist in der Hand.",
+    "runs": "Der Mechanismus läuft von selbst.",
     "shown": "Zu sehen ist, was bis {panel} {step} gezeichnet ist.",
     "return": "Zurück zu {panel} {step}",
     "return-short": "Zurück",

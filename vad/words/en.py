@@ -959,6 +959,7 @@ HAND = {
     "turn-crank": "You turn the crank.",
     "turn-link": "You turn the driving link.",
     "move-slide": "You move the driver.",
+    "runs": "The mechanism runs by itself.",
     "shown": "Shown is what is drawn up to {panel} {step}.",
     "return": "Back to {panel} {step}",
     "return-short": "Back",

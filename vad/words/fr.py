@@ -1086,6 +1086,7 @@ HAND = {
     "turn-crank": "Vous tournez la manivelle.",
     "turn-link": "Vous tournez la pièce menante.",
     "move-slide": "Vous déplacez la pièce menante.",
+    "runs": "Le mécanisme tourne seul.",
     "shown": "On voit ce qui est dessiné jusqu’à {panel} {step}.",
     "return": "Retour à {panel} {step}",
     "return-short": "Retour",
