@@ -95,10 +95,8 @@ def _read(mechanism: Mechanism, over: str) -> tuple[str, str, NDArray[np.float64
     kind = str(known[name])
     if not words[3].isdecimal() or not 2 <= int(words[3]) <= _MOST:
         raise UsageError(f"--over: steps must be from 2 to {_MOST}, got {quoted(words[3])}", hint)
-    try:
-        low, high = (units.read(word, kind, mechanism.length_unit) for word in words[1:3])
-    except UsageError as wrong:
-        raise UsageError(f"--over: {wrong}", wrong.hint) from None
+    unit, what = mechanism.length_unit, f"--over: {words[0]}"
+    low, high = (units.number_of(what, word, kind, unit) for word in words[1:3])
     return name, kind, np.linspace(low, high, int(words[3]))
 
 
