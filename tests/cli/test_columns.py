@@ -68,6 +68,20 @@ def test_what_is_wrong_is_said_in_one_line(vad, words, message):
     assert message in result.err.splitlines()[0]
 
 
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ((), "--columns: none of these poses has a value of drive"),
+        (("--crank", "500", "--rod", "5", "--offset", "900"), "the links close at none"),
+    ],
+)
+def test_poses_without_a_value_are_told_from_links_that_do_not_close(vad, words, message):
+    loaded = ("--load", "1 N @ 180 at C", "--friction", "slider 0.1", "--columns", "drive")
+    result = vad("sweep", "slider-crank", *words, *loaded, "--steps", "3", "-o", "-")
+    assert (result.code, result.out) == (1, "")
+    assert message in result.err.splitlines()[0]
+
+
 @pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("kind", ["csv", "json", "xlsx", "png", "svg", "pdf"])
 @pytest.mark.parametrize("words", [(), ("--over", "crank 20 60 5"), ("--columns", "drive")])

@@ -16,7 +16,7 @@ from vad.batches.columns import columns_of
 from vad.cli.options import flag, take_burden
 from vad.cli.output import say_written
 from vad.cli.places import sweep_places
-from vad.errors import UsageError, quoted, unknown
+from vad.errors import DeadCentreError, UsageError, quoted, unknown
 from vad.export import table_csv
 from vad.export.sweep import Column, Table, check_closes, save_table
 from vad.mechanisms import Mechanism
@@ -66,9 +66,13 @@ def chosen_columns(
         **given,
     )
     listed = columns_of(mechanism, found, burden)
-    check_closes(any(np.isfinite(column.values).any() for column in listed))
+    motion = vad.solve(swept, **given)
+    if not any(np.isfinite(column.values).any() for column in listed):
+        check_closes(bool(np.any(motion.assembled)))
+        message = f"--columns: none of these poses has a value of {', '.join(names)}"
+        raise DeadCentreError(message, "the links close; other poses may have one")
     along = Column(name, scene_unit(kind, mechanism.length_unit), places)
-    table = Table(vad.solve(swept, **given), along, tuple(listed))
+    table = Table(motion, along, tuple(listed))
     if output == "-":
         stream = io.BytesIO()
         table_csv.write(table, stream)
