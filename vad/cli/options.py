@@ -8,7 +8,6 @@ file.
 from __future__ import annotations
 
 import dataclasses
-import math
 import os
 import re
 from collections.abc import Callable, Collection, Mapping
@@ -153,24 +152,6 @@ def places_of_points() -> Callback:
         return given
 
     return _callback(places_in)
-
-
-def pauses() -> Callback:
-    """Read pauses of steps, as in ``velocity:4=3``, in seconds."""
-
-    def pauses_in(words: tuple[str, ...], _: click.Context) -> dict[str, float]:
-        given = {}
-        for word in words:
-            step, equals, seconds = (each.strip() for each in word.rpartition("="))
-            try:
-                given[step] = float(seconds)
-            except ValueError:
-                equals = ""
-            if not (step and equals and 0.0 <= given[step] < math.inf):
-                raise UsageError(f"{quoted(word)} is no pause", hint="as in velocity:4=3")
-        return given
-
-    return _callback(pauses_in)
 
 
 def length_unit() -> Callback:

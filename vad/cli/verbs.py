@@ -34,7 +34,7 @@ from vad.cli.process import (
     signals_held_back,
     wait_for_signal,
 )
-from vad.cli.talk import PAUSE, SCRIPT, script_in
+from vad.cli.talk import PAUSE, SCRIPT, script_in, with_pauses
 from vad.errors import UsageError, VadError
 from vad.export import FOLDER, FORMATS, format_of, formats, own_options
 from vad.export.files import clear_unfinished
@@ -281,8 +281,9 @@ def animate(
         raise UsageError(f"--subtitles go beside a film, not beside '{output}'", hint)
     own = _pop(options, *own_options([FORMATS[thing][kind]]))
     timing = _pop(options, "fps", "size", "speed", "style", "loop", "plain")
+    pauses = options.pop("pause", ())
     sheet = vad.draw(_pose(mechanism, inputs, burden), **options)
-    lesson = vad.animate(sheet, **timing, script=script)
+    lesson = vad.animate(sheet, **timing, script=with_pauses(script, pauses, sheet))
     if still is not None:
         vad.save(_still(lesson, still), output, **own)
         say_written(output)

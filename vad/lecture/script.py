@@ -116,10 +116,20 @@ def script_of(given: Any) -> Script:
 def _entry(table: str, value: Any) -> str | float:
     if table == "captions":
         return gate.line("caption", value, LONGEST_CAPTION)
-    word = table.removesuffix("s")
-    seconds = gate.number(word, value)
+    return checked_seconds(table.removesuffix("s"), value)
+
+
+def checked_seconds(name: str, value: Any) -> float:
+    """Return the seconds of a pause, or of a film until a marker.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is no number, or beyond `LONGEST`.
+    """
+    seconds = gate.number(name, value)
     if not 0.0 <= seconds <= LONGEST:
-        raise UsageError(f"{word}: must be seconds from 0 to {LONGEST:g}, got {quoted(value)}")
+        raise UsageError(f"{name}: must be seconds from 0 to {LONGEST:g}, got {quoted(value)}")
     return seconds
 
 
