@@ -58,7 +58,10 @@ def test_lines_that_do_not_close_are_empty(vad):
         (("--over", "crank -20 60 5"), "crank: must be positive"),
         (("--over", "crank 20 60 5", "--from", "3"), "--from does not go with --over"),
         (("--angle", "3"), "--angle goes with --over"),
-        (("--columns", "rocker.speed"), "unknown result 'rocker.speed'"),
+        (("--columns", "rocker.speed"), "--columns: unknown result 'rocker.speed'"),
+        (("--columns", "foo"), "--columns: 'foo' is no result"),
+        (("--columns", ""), "--columns: '' is no result"),
+        (("--columns", "rocker.omega,"), "--columns: '' is no result"),
     ],
 )
 def test_what_is_wrong_is_said_in_one_line(vad, words, message):
@@ -66,6 +69,7 @@ def test_what_is_wrong_is_said_in_one_line(vad, words, message):
     assert result.code in (1, 2)
     assert result.out == ""
     assert message in result.err.splitlines()[0]
+    assert "(" not in result.err  # the hint is no notation of Python
 
 
 @pytest.mark.parametrize(

@@ -47,6 +47,7 @@ def test_pins_alone_have_a_table_of_their_own(vad):
         (("--pin", "B -5"), "pin B: must be positive"),
         (("--pin", "B five"), "--pin"),
         (("--extremes", "rod.speed"), "unknown result 'rod.speed'"),
+        (("--extremes", ""), "--extremes: '' is no result"),
     ],
 )
 def test_what_is_wrong_is_said_in_one_line(vad, words, message):

@@ -248,7 +248,8 @@ def _names(results: Iterable[str] | str) -> list[str]:
         raise UsageError("results: none given", _HINT)
     for name in listed:
         if not isinstance(name, str) or ("." not in name and name not in _ALONE):
-            raise UsageError(f"results: {quoted(name)} is no result", _HINT)
+            message = f"results: {quoted(name)} is no result"
+            raise UsageError(message, "as in rocker.omega or C.acceleration")
     return list(dict.fromkeys(listed))
 
 

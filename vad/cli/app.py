@@ -22,8 +22,8 @@ from vad.cli.options import (
     flag,
     length_unit_of,
     pin_option,
+    results,
     take_burden,
-    words_of,
 )
 from vad.discovery import names_in
 from vad.errors import InputError, UsageError, unknown
@@ -317,7 +317,7 @@ app.add_command(
             ),
             click.Option(
                 ["--extremes"],
-                callback=words_of(),
+                callback=results(),
                 multiple=True,
                 metavar="RESULT,RESULT",
                 help="the least and the largest value of these results, as in rocker.omega  [none]",

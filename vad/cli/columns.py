@@ -55,16 +55,14 @@ def chosen_columns(
     rubs = rubbing_names(vad.solve(mechanism), pins)
     names = (*(columns or _all(mechanism)), *rubs)
     loads, masses, gravity, friction = burden or ((), None, None, None)
-    found = vad.sweep(
-        swept,
-        names,
-        pins=pins,
-        loads=loads,
-        masses=masses,
-        gravity=gravity,
-        friction=friction,
-        **given,
-    )
+    bears: dict[str, Any] = {"loads": loads, "masses": masses}
+    bears |= {"gravity": gravity, "friction": friction}
+    try:
+        found = vad.sweep(swept, names, pins=pins, **bears, **given)
+    except UsageError as wrong:
+        if not str(wrong).startswith(("results: ", "unknown result ")):
+            raise
+        raise UsageError(f"--columns: {str(wrong).removeprefix('results: ')}", wrong.hint) from None
     listed = columns_of(mechanism, found, burden)
     motion = vad.solve(swept, **given)
     if not any(np.isfinite(column.values).any() for column in listed):

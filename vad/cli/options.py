@@ -169,14 +169,16 @@ def one_of(what: str, names: Collection[str], group: str = "") -> Callback:
     return _callback(lambda word, _: errors.one_of(what, word, names))
 
 
-def words_of() -> Callback:
-    """Read words with commas between them, each once."""
+def results() -> Callback:
+    """Read names of results with commas between them, each once."""
 
-    def words_in(words: tuple[str, ...], _: click.Context) -> tuple[str, ...]:
-        parts = (part.strip() for word in words for part in word.split(","))
-        return tuple(dict.fromkeys(part for part in parts if part))
+    def results_in(words: tuple[str, ...], _: click.Context) -> tuple[str, ...]:
+        parts = [part.strip() for word in words for part in word.split(",")]
+        if "" in parts:
+            raise UsageError("'' is no result", hint="as in rocker.omega,C.acceleration")
+        return tuple(dict.fromkeys(parts))
 
-    return _callback(words_in)
+    return _callback(results_in)
 
 
 def several(what: str, names: Collection[str]) -> Callback:

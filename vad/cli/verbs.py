@@ -21,10 +21,10 @@ from vad.cli.options import (
     path,
     pin_option,
     places,
+    results,
     several,
     size,
     take_burden,
-    words_of,
 )
 from vad.cli.output import progress, say_written
 from vad.cli.places import sweep_places
@@ -438,7 +438,7 @@ VERBS: tuple[click.Command, ...] = (
             ),
             click.Option(
                 ["--columns"],
-                callback=words_of(),
+                callback=results(),
                 multiple=True,
                 metavar="RESULT,RESULT",
                 help="rocker.angle, C.velocity, transmission, drive, stroke, C.velocity.largest …  "
