@@ -140,6 +140,25 @@ def test_an_option_of_another_verb_is_answered_with_that_verb(vad):
     assert hint == "--fps is an option of vad animate"
 
 
+@pytest.mark.parametrize(
+    ("words", "said", "works"),
+    [
+        ("draw four-bar -o x.svg --no-sliders", "--no-sliders is for .html", ".html"),
+        ("draw --no-sliders four-bar -o x.svg", "--no-sliders is for .html", ".html"),
+        ("animate four-bar --no-sliders -o=x.svg", "--no-sliders is for .html", ".html"),
+        ("animate four-bar -o x.svg --per-panel", "--per-panel is for .pptx", ".pptx"),
+    ],
+)
+def test_an_option_of_another_format_is_answered_with_that_format(vad, words, said, works):
+    error, hint = complaint(vad(*words.split()), 2)
+    assert (error, hint) == (f"{said}, not for 'x.svg'", f"as in -o FILE{works}")
+
+
+def test_the_known_options_are_those_of_all_formats(vad):
+    _, hint = complaint(vad(*["animate", "four-bar", "-o", "x.mp4", "--zzzzzz"]), 2)
+    assert "--no-sliders, --per-panel" in hint
+
+
 @pytest.mark.parametrize("given", ["--rod 100", "--ram-height 180"])
 def test_a_ram_takes_two_options(vad, given):
     _, hint = complaint(vad("solve", "crank-slotted-lever", *given.split()), 1)

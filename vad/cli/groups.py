@@ -13,7 +13,7 @@ import click
 from click.shell_completion import CompletionItem
 
 from vad.cli.options import build, kind_of, mechanism_options, own_option
-from vad.errors import UsageError, VadError, unknown
+from vad.errors import UsageError, VadError, quoted, unknown
 from vad.files.examples import EXTENSION
 from vad.mechanisms import Mechanism, mechanism_names
 
@@ -37,12 +37,23 @@ class HelpfulCommand(click.Command):
                 # click reads -crank as -c -r …; the message quotes the word as it was written.
                 name = next((word for word in words if word.startswith(name)), name)
             name = name.partition("=")[0]
+            verb = ctx.parent.command if ctx.parent else None
+            others = verb.formats_by_option() if isinstance(verb, MechanismGroup) else {}
+            if name in others:
+                raise _of_another_format(name, others[name], words) from None
             names = [each for option in self.get_params(ctx) for each in option.opts]
-            wrong = unknown("option", name, names)
+            wrong = unknown("option", name, [*names, *others])
             verbs = _verbs_with(ctx, name)
             if verbs:
                 wrong.hint = f"{name} is an option of {' and of '.join(verbs)}"
             raise wrong from None
+
+
+def _of_another_format(name: str, extensions: Sequence[str], words: Sequence[str]) -> UsageError:
+    """Return the error for an option that the format of the file in ``-o`` does not have."""
+    kinds = " and ".join(extensions)
+    message = f"{name} is for {kinds}, not for {quoted(_output(words) or '')}"
+    return UsageError(message, f"as in -o FILE{extensions[0]}")
 
 
 def _verbs_with(ctx: click.Context, name: str) -> list[str]:
@@ -102,6 +113,8 @@ class MechanismGroup(click.Group):
         own = [] if ctx.resilient_parsing else self._own_options(_output(args))
         ctx.meta[_OWN_OPTIONS] = own
         place = first_word(args, [*self.options, *own])
+        if place is None and _output(args):  # after an option of another format, which is refused
+            place = first_word(args, [*self.options, *self._own_options(None)])
         helped = ctx.resilient_parsing or {"-h", "--help"}.intersection(args)
         if place is None and self.usual and not helped:
             args = [self.usual, *args]
@@ -166,9 +179,17 @@ class MechanismGroup(click.Group):
             return []
         from vad.export import own_options
 
-        named = self.formats.items()
-        modules = [module for end, module in named if output is None or output.endswith(end)]
+        named, file = self.formats.items(), (output or "").lower()
+        modules = [module for end, module in named if output is None or file.endswith(end)]
         return [own_option(each) for each in own_options(modules).values()]
+
+    def formats_by_option(self) -> dict[str, list[str]]:
+        """Return the extensions of the formats that have an option of their own, by its name."""
+        found: dict[str, list[str]] = {}
+        for extension in self.formats:
+            for option in self._own_options(extension):
+                found.setdefault(option.opts[0], []).append(extension)
+        return found
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command:
         """Return the command for the mechanism called ``cmd_name``."""
@@ -192,13 +213,13 @@ class MechanismGroup(click.Group):
 
 
 def _output(args: Sequence[str]) -> str | None:
-    """Return the name of the file that ``-o`` gives, in lower case; None where it is absent."""
+    """Return the name of the file that ``-o`` gives; None where it is absent."""
     for word, following in pairwise((*args, "")):
         if word in ("-o", "--output"):
-            return following.lower()
-        for start in ("--output=", "-o"):
+            return following
+        for start in ("--output=", "-o=", "-o"):
             if word.startswith(start):
-                return word.removeprefix(start).lower()
+                return word.removeprefix(start)
     return None
 
 
