@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from decimal import Decimal
 
 import numpy as np
 import pytest
@@ -165,8 +166,10 @@ def test_a_turn_is_asked_for_with_a_turn():
             forces(angle).fluctuation  # noqa: B018
     turn = forces(np.linspace(0, 360, 361))
     assert turn.flywheel(0.02, "600 rpm") == pytest.approx(turn.flywheel(0.02, 20 * math.pi))
-    for ratio, speed in ((0.0, 1.0), (-0.1, 1.0), (0.1, 0.0)):
-        with pytest.raises(InputError):
+    for number in (np.int8(3), Decimal(3)):
+        assert turn.flywheel(number, number * 10) == turn.flywheel(3, 30)
+    for ratio, speed in ((0.0, 1.0), (-0.1, 1.0), (0.1, 0.0), (0.1, 5e-200), (0.1, 1e200)):
+        with pytest.raises(InputError, match=r"ratio|speed"):
             turn.flywheel(ratio, speed)
     several = vad.forces(
         vad.solve(machine, angle=np.linspace(0, 360, 361)),

@@ -23,7 +23,7 @@ from vad.statics.listing import listed, table
 from vad.statics.loads import Given, gravity_of, listed_loads
 from vad.statics.solver import Acting, StaticSolver
 from vad.statics.turn import Turning
-from vad.units import metres_of, read
+from vad.units import metres_of, number_of
 from vad.written import DIGITS, MOST_DIGITS
 
 
@@ -349,8 +349,7 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
         speed
             The mean speed in rad/s, or as text with its unit: "500 rpm".
         """
-        value = read(speed, "omega") if isinstance(speed, str) else speed
-        return self._turning().flywheel(ratio, value)
+        return self._turning().flywheel(ratio, number_of("speed", speed, "omega"))
 
     def _turning(self) -> Turning:
         name, place = next(iter(self.inputs.items()))

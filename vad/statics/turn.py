@@ -76,12 +76,20 @@ class Turning:
 
     def flywheel(self, ratio: float, speed: float) -> Any:
         """Return the moment of inertia that keeps the speed within a ratio of its mean."""
+        ratio, speed = gate.number("ratio", ratio), gate.number("speed", speed)
         for name, value in (("ratio", ratio), ("speed", speed)):
-            if gate.number(name, value) == 0.0:
+            if value == 0.0:
                 raise InputError(f"{name}: must not be zero")
         if ratio < 0.0:
             raise InputError(f"ratio: must be positive, got {ratio:g}", f"try {-ratio:g}")
-        return self.fluctuation / (ratio * speed * speed)
+        energy = np.asarray(self.fluctuation)
+        with np.errstate(all="ignore"):  # what is beyond all numbers is refused below
+            found = energy / np.float64(ratio * speed * speed)
+        if not np.isfinite(found).all() or np.any((found == 0.0) & (energy != 0.0)):
+            asked = f"a ratio of {ratio:g} at {speed:g} rad/s"
+            message = f"ratio, speed: {asked} asks for a flywheel that no number can say"
+            raise InputError(message, "as in flywheel(0.02, 10)")
+        return found if found.ndim else float(found)
 
 
 class Excess(NamedTuple):
