@@ -16,6 +16,9 @@ MOTION = vad.solve(vad.FourBar())
 SHEET = vad.draw(MOTION)
 LESSON = vad.animate(SHEET)
 BOTH = np.array([60.0, 61.0])
+NONE: Any = np.array([])
+MASS = {"coupler": {"mass": 2, "at": NONE}}
+ENGINE: Any = ([{"mass": 11.5, "line": 45}], 75, 4, 500)
 
 
 @pytest.mark.parametrize("entrance", [calls, files, linkages])
@@ -58,6 +61,19 @@ def test_nothing_that_comes_in_breaks_the_promise(entrance, exhaustive):
         (lambda: vad.FourBar(crank=np.complex128(1 + 2j)), "crank: must be a number"),
         (lambda: vad.FourBar(crank=bytearray(b"60")), "crank: must be a number"),
         (lambda: vad.merit(vad.FourBar(crank=np.array([60.0]))), "crank: must be one number"),
+        (lambda: vad.draw(MOTION, superpose=NONE), "superpose: must be True or False"),
+        (lambda: vad.draw(MOTION, pins=NONE), "pins: must be diameters by point"),
+        (lambda: vad.animate(SHEET, plain=NONE), "plain: must be True or False"),
+        (lambda: vad.turn(vad.FourBar(), follow=NONE), "unknown follow"),
+        (lambda: vad.load(NONE), "path: must be the name of a file"),
+        (lambda: vad.still(LESSON, NONE), "array([], dtype=float64) is not a step"),
+        (lambda: vad.forces(MOTION, masses=MASS), "mass of coupler: unknown point"),
+        (lambda: vad.engine(*ENGINE, reference=NONE), "reference: must be one number"),
+        (lambda: vad.engine(*ENGINE, shaft=BOTH), "shaft.masses: A: must be words"),
+        (lambda: vad.engine(*ENGINE, locomotive=NONE), "locomotive: must be a table"),
+        (lambda: vad.merit(vad.FourBar(), output=NONE), "unknown output"),
+        (lambda: vad.merit(vad.FourBar(), pins=NONE), "pins: must be diameters by point"),
+        (lambda: vad.forces(MOTION).force([], "rocker"), "unknown body []"),  # type: ignore[arg-type]
         (lambda: vad.FourBar(crank=np.array(["60"])), "crank: must be a number or an array"),
         (lambda: vad.FourBar(crank=10**5000), "crank: must be a finite number, got an int"),
     ],

@@ -38,6 +38,7 @@ from vad.files.tables import Source, sorted_out
 from vad.kinematics.linkage import Bar, Linkage, Loop, Slide, angle_of
 from vad.kinematics.motion import Motion, solve
 from vad.kinematics.numbers import ray
+from vad.units import number_of
 
 #: The letters of cylinders that have no name.
 _NAMES = "ABCDEFGHIJKLMNPQRTUVWXYZ"
@@ -166,15 +167,15 @@ def engine(
     """
     words: dict[str, Any] = {"radius": radius, "speed": _speed(rpm)}
     words |= {name: each for name, each in (("rod", rod), ("ratio", ratio)) if each is not None}
-    if reference:
+    if number_of("reference", reference, "length", length_unit):
         words["reference"] = reference
     tables: dict[str, Any] = {
         ENGINE: words,
         CYLINDERS: dict(table_of_masses(cylinders, CYLINDERS)),
     }
-    if shaft:
+    if shaft is not None:
         tables[SHAFT] = {"masses": dict(table_of_masses(shaft, SHAFT))}
-    if locomotive:
+    if locomotive is not None:
         tables[LOCOMOTIVE] = locomotive
     mechanism = _mechanism(tables, title, length_unit)
     found = mechanism.balancing(solve(mechanism, **mechanism.inputs))

@@ -69,7 +69,8 @@ def load(path: str | os.PathLike[str]) -> type[WrittenMechanism]:
     >>> Press(crank=170).parameters()["rod"]
     540.0
     """
-    return class_of(read_file(exercise_path(path) if path in exercise_names() else path))
+    name = gate.path("path", path)
+    return class_of(read_file(exercise_path(name) if name in exercise_names() else name))
 
 
 def load_text(data: bytes, name: str) -> type[WrittenMechanism]:

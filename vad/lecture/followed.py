@@ -217,7 +217,7 @@ def followed(turn: Turn, point: str | None) -> Followed | None:
     """
     from vad.lecture.cycle import whole_turn
 
-    if point == ALL:
+    if isinstance(point, str) and point == ALL:
         return None
     if point is None and not set(turn.panels) <= set(PANELS):
         return None

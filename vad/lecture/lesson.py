@@ -202,7 +202,7 @@ def animate(
 
     script = script_of(script)
     sheet, opening = script.told(sheet), OPENING / speed
-    flown = None if plain else travels(sheet)
+    flown = None if gate.flag("plain", plain) else travels(sheet)
     found = [each.faster(speed) for each in times(sheet, loop, flown)]
     if script.pauses or script.markers:
         found, opening = scripted(found, script, sheet, opening)

@@ -166,8 +166,8 @@ def step_number(sheet: Sheet, step: int | str) -> int:
     """
     panel, colon, number = step.rpartition(":") if isinstance(step, str) else ("", "", step)
     named = [half.full(half.strokes[number].name) for half, number, _ in telling(sheet)]
-    if step in named:
-        return named.index(str(step))
+    if isinstance(step, str) and step in named:
+        return named.index(step)
     columns = [each.chapter for each in telling(sheet)]
     if colon:
         panel = one_of("panel", panel, [each.name for each in sheet.panels])

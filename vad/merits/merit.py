@@ -117,7 +117,7 @@ def merit(
             "merit: the pose must be one, got arrays of poses", "vad.sweep takes arrays"
         )
     burden = {"loads": loads, "masses": masses, "gravity": gravity, "friction": friction}
-    return Merit(motion, output, pins or {}, burden)
+    return Merit(motion, output, {} if pins is None else pins, burden)
 
 
 class Merit(Mapping[str, Any]):

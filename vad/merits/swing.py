@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
-from vad.errors import unknown
+from vad.errors import one_of
 from vad.kinematics.any_solver import Result
 from vad.kinematics.linkage import Bar, Scalar, Slide
 from vad.kinematics.motion import Motion
@@ -84,11 +84,9 @@ def output_of(motion: Motion[Any, Any, Any], name: str | None) -> Result | None:
     """
     links = [each for each in motion.links if each not in motion.solver.bodies]
     if name is not None:
-        if name in motion.slides:
+        if one_of("output", name, [*links, *motion.slides]) in motion.slides:
             return "slide", name, "position"
-        if name in links:
-            return "link", name, "angle"
-        raise unknown("output", name, [*links, *motion.slides])
+        return "link", name, "angle"
     solver = motion.solver
     if not isinstance(solver, Solver):
         others = [each for each in links if each != solver.driver.name]

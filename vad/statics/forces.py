@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vad import gate
-from vad.errors import InputError, UsageError, VadError, quoted, unknown
+from vad.errors import InputError, UsageError, VadError, one_of, quoted
 from vad.kinematics.any_solver import Result
 from vad.kinematics.bodies import FRAME, Bodies, bodies_of
 from vad.kinematics.motion import Motion
@@ -222,6 +222,8 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
         vad.errors.UsageError
             For two bodies without a joint.
         """
+        for name in (one, other):
+            one_of("body", name, [FRAME, *self.bodies.bodies])
         total: Any = None
         for number in range(len(self.bodies.joints)):
             pair = self._pair(number)
@@ -230,9 +232,6 @@ class Forces(Solution[Truth], Generic[Real, Vector, Truth]):
                 found = found if pair == (one, other) else -found
                 total = found if total is None else total + found
         if total is None:
-            for name in (one, other):
-                if not isinstance(name, str) or name not in (FRAME, *self.bodies.bodies):
-                    raise unknown("body", name, [FRAME, *self.bodies.bodies])
             pairs = (self._pair(number) for number in range(len(self.bodies.joints)))
             beside = [b if a == one else a for a, b in pairs if one in (a, b)]
             message = f"force: {one} and {other} have no joint"

@@ -132,7 +132,7 @@ class Given:
         metres: float,
     ) -> None:
         at = given.get("at")
-        _, point = self._site(what, at or self._usual(body), body)
+        _, point = self._site(what, self._usual(body) if at is None else at, body)
         own = self.bodies.bodies[body]
         if not own.has_fixed(point):
             fixed = [each for each in own.paths if own.has_fixed(each)]

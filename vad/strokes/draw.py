@@ -120,9 +120,9 @@ def draw(
     motion, forces = parted(motion)
     if motion.many or (forces is not None and forces.many):
         raise InputError("motion: a sheet shows one pose, got arrays of poses")
-    if superpose and forces is None:
+    if gate.flag("superpose", superpose) and forces is None:
         raise InputError("superpose: there are no loads", "as in --load '80 N @ 150 at E'")
-    if pins:
+    if pins is not None:
         _check_pins(motion, pins)
     names = chosen(panels, motion, forces)
     if centrode is not None:
