@@ -81,6 +81,19 @@ def test_what_is_no_script_is_refused_in_one_line(script: object, said: str):
     assert "\n" not in str(refusal.value)
 
 
+@pytest.mark.parametrize("table", ["captions", "pauses", "markers"])
+def test_a_step_that_a_sheet_does_not_have_is_named_with_its_line(tmp_path: Path, table: str):
+    file = tmp_path / "talk.toml"
+    value = '"x"' if table == "captions" else "3"
+    file.write_text(f"# velocity:99\n[{table}]\n'velocity:99' = {value}\n")
+    with pytest.raises(InputError, match=r"^talk\.toml, line 3: there is no step 99: ") as refusal:
+        vad.animate(SHEET, script=file)
+    assert not isinstance(refusal.value, UsageError)  # which would be a wrong command
+    file.write_text(TALK.replace("= 40", "= 2"))
+    with pytest.raises(InputError, match=r"^talk\.toml, line 6: marker: velocity:pole at 2 s"):
+        vad.animate(SHEET, script=file)
+
+
 def test_a_fault_in_a_file_is_named_with_its_line(tmp_path: Path):
     file = tmp_path / "talk.toml"
     file.write_text('[pauses]\n"velocity:1" = "long"\n')

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -70,7 +71,7 @@ def with_pauses(script: Script, pauses: Pauses, sheet: Sheet) -> Script:
         For a step that the sheet does not have or that is given twice, and for a pause that is too
         long.
     """
-    from vad.lecture.script import Script, checked_seconds, step_number
+    from vad.lecture.script import checked_seconds, step_number
 
     found: set[int] = set()
     for step, seconds in pauses:
@@ -82,4 +83,4 @@ def with_pauses(script: Script, pauses: Pauses, sheet: Sheet) -> Script:
         if number in found:
             raise UsageError(f"--pause: step {step} is given twice")
         found.add(number)
-    return Script(script.captions, {**script.pauses, **dict(pauses)}, script.markers)
+    return replace(script, pauses={**script.pauses, **dict(pauses)})

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from vad.errors import UsageError
 from vad.lecture.scenes import is_staged, scene_numbers
-from vad.lecture.script import Script, step_number
+from vad.lecture.script import Script
 from vad.lecture.telling import reading, share_caption, starts, told, told_together
 from vad.strokes.sentences import pieces_of
 from vad.strokes.sheet import Arrow, Fold, Panel, Sheet, Stroke
@@ -233,13 +233,14 @@ def scripted(
 
     Raises
     ------
-    vad.errors.UsageError
-        For a stroke that is none, and for a marker before which the strokes cannot be drawn.
+    vad.errors.UsageError, vad.errors.InputError
+        For a stroke that is none, and for a marker before which the strokes cannot be drawn; with
+        the line of a file where there is one.
     """
     for step, seconds in script.pauses.items():
-        place = step_number(sheet, step)
+        place = script.number(sheet, "pauses", step)
         found[place] = found[place].resting(found[place].hold + seconds)
-    names = {step_number(sheet, step): step for step in script.markers}
+    names = {script.number(sheet, "markers", step): step for step in script.markers}
     first, clock = 0, 0.0
     for number, step in sorted(names.items()):
         before, at = found[first:number], script.markers[step]
@@ -248,11 +249,12 @@ def scripted(
         drawn = sum(each.all - each.hold for each in before)
         wanted = at - clock - drawn
         if wanted < 0.0:
-            raise UsageError(
-                f"marker: {step} at {at:g} s: the strokes before it are drawn until "
-                f"{clock + drawn:.1f} s",
-                hint=f"try {clock + drawn + 0.05:.1f} or later",
-            )
+            with script.at("markers", step):
+                raise UsageError(
+                    f"marker: {step} at {at:g} s: the strokes before it are drawn until "
+                    f"{clock + drawn:.1f} s",
+                    hint=f"try {clock + drawn + 0.05:.1f} or later",
+                )
         if wanted < rests:
             before = [each.resting(wanted / rests * each.hold) for each in before]
             still *= wanted / rests

@@ -18,8 +18,10 @@ from __future__ import annotations
 
 import os
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from itertools import dropwhile
 from typing import Any
 
 from vad import gate
@@ -41,23 +43,42 @@ _DIGITS = 9
 
 @dataclass(frozen=True, slots=True)
 class Script:
-    """What a lecturer wants otherwise, by the name of a stroke or its step."""
+    """What a lecturer wants otherwise, by the name of a stroke or its step.
+
+    ``places`` says where in a file a step of a table stands, for errors.
+    """
 
     captions: Mapping[str, str] = field(default_factory=dict)
     pauses: Mapping[str, float] = field(default_factory=dict)
     markers: Mapping[str, float] = field(default_factory=dict)
+    places: Mapping[tuple[str, str], str] = field(default_factory=dict)
+
+    @contextmanager
+    def at(self, table: str, step: str) -> Iterator[None]:
+        """Begin every error of the block with the place of a step in its file, if there is one."""
+        try:
+            yield
+        except UsageError as error:
+            if (table, step) not in self.places:
+                raise
+            raise InputError(f"{self.places[table, step]}: {error}", error.hint) from None
+
+    def number(self, sheet: Sheet, table: str, step: str) -> int:
+        """Return the number of a step in a table, as `step_number` does."""
+        with self.at(table, step):
+            return step_number(sheet, step)
 
     def told(self, sheet: Sheet) -> Sheet:
         """Return a sheet with the captions of the script.
 
         Raises
         ------
-        vad.errors.UsageError
-            For a stroke that the sheet does not have.
+        vad.errors.UsageError, vad.errors.InputError
+            For a stroke that the sheet does not have; with its line where there is one.
         """
         if not self.captions:
             return sheet
-        own = {step_number(sheet, step): text for step, text in self.captions.items()}
+        own = {self.number(sheet, "captions", step): text for step, text in self.captions.items()}
         told = enumerate(telling(sheet))
         texts = {(each.half.name, each.number): own[n] for n, each in told if n in own}
         return replace(sheet, panels=tuple(_retold(panel, texts) for panel in sheet.panels))
@@ -97,6 +118,7 @@ def script_of(given: Any) -> Script:
         name, text = os.path.basename(path), gate.text(path, LONGEST_FILE)
         tables = _parsed(text, name)
     found: dict[str, dict[str, Any]] = {table: {} for table in TABLES}
+    places: dict[tuple[str, str], str] = {}
     for table, entries in tables.items():
         if table not in TABLES:
             wrong = unknown("table", table, TABLES)
@@ -105,12 +127,14 @@ def script_of(given: Any) -> Script:
             message = f"{_place(name, text, table)}: {table}: must be a table"
             raise InputError(message, f"write [{table}]")
         for step, value in entries.items():
+            place = _place(name, text, table, str(step))
             try:
                 found[table][str(step)] = _entry(table, value)
             except (InputError, UsageError) as error:
-                place = _place(name, text, str(step))
                 raise InputError(f"{place}: {error}", error.hint) from None
-    return Script(**found)
+            if text:
+                places[table, str(step)] = place
+    return Script(**found, places=places)
 
 
 def _entry(table: str, value: Any) -> str | float:
@@ -141,10 +165,11 @@ def _parsed(text: str, name: str) -> Mapping[str, Any]:
         raise InputError(f"{name}: is no TOML: {error}", hint) from None
 
 
-def _place(name: str, text: str, key: str) -> str:
-    """Return where a key stands: "talk.toml, line 3"."""
+def _place(name: str, text: str, table: str, step: str = "") -> str:
+    """Return where a table stands, or a step in it: "talk.toml, line 3"."""
     lines = enumerate(text.split("\n"), start=1)
-    line = next((number for number, each in lines if key in each), None)
+    below = dropwhile(lambda each: table not in each[1], lines)
+    line = next((number for number, each in below if step in each), None)
     return f"{name}, line {line}" if line else name
 
 
