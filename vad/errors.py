@@ -72,7 +72,8 @@ class ExportError(VadError):
 def unknown(what: str, given: object, known: Iterable[str]) -> UsageError:
     """Return the error for a name that is not one of ``known``.
 
-    The hint has the names that begin like it, or else the nearest one.
+    The hint has the names that begin like it, or else the nearest one; where none is known, there
+    is no hint.
 
     Examples
     --------
@@ -85,9 +86,10 @@ def unknown(what: str, given: object, known: Iterable[str]) -> UsageError:
     near = [name for name in names if text and name.startswith(text)]
     if len(text) > _SHORTEST_GUESSED:
         near = near or difflib.get_close_matches(text, names, n=1, cutoff=0.5)
+    hint: str | None = None
     if near:
         hint = "did you mean " + " or ".join(f"'{names[name]}'" for name in near) + "?"
-    else:
+    elif names:
         hint = "known: " + ", ".join(names.values())
     return UsageError(f"unknown {what} {quoted(given)}", hint)
 

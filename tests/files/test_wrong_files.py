@@ -106,6 +106,7 @@ WRONG = [
     (ROCKER, GUIDE + '{ through = "Q", angle = 3 }', 9, "neither a fixed point", "along"),
     (ROCKER, GUIDE + '{ y = 0, name = "crank" }', 9, "a link is called crank", "a name"),
     (ROCKER, GUIDE + '{ y = "1/0" }', 9, "C: '1/0' has no value", None),
+    (PLACE, f"{PLACE}\n[friction]\nfoo = 1", 14, "friction: unknown slide 'foo'", None),
     # the driver
     ("crank = { angle", "crnk = { angle", 10, "unknown driver 'crnk'", "'crank'"),
     (
