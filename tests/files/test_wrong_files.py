@@ -78,6 +78,11 @@ WRONG = [
     (ROCKER, "lambda = { DC = 80 }", 8, "lambda: is a word of the program's own", "lambda_1"),
     (TITLE, '"x"\n[dimensions]\ncrank = 3', 8, "two numbers of this name", None),
     (ROCKER, '"a b" = { DC = 80 }', 8, "a b: must be one word", "feed_rod"),
+    ("coupler = ", f"c{40 * 'x'} = ", 7, "has 41 letters, and may have 40", None),
+    (DC, f"DC{40 * '1'} = 80", 8, "has 42 letters, and may have 40", None),
+    (TITLE, f'"x"\n[dimensions]\n{41 * "a"} = 3', 3, "has 41 letters, and may have 40", None),
+    (ROCKER, GUIDE + f'{{ y = 0, name = "{41 * "a"}" }}', 9, "has 41 letters", None),
+    (CRANK, f'{{ AB = "variable", rod = "{41 * "a"}" }}', 6, "has 41 letters", None),
     # links
     (CRANK, "{ ab = 40 }", 6, "crank: cannot read 'ab'", "two letters are a distance"),
     (CRANK, "{ BAD = 40 }", 6, "crank: needs a distance", "{ AB = 60 }"),

@@ -75,6 +75,7 @@ class _LinkReader:
         angles: dict[Angle, Any] = {}
         side, rod = 1, ""
         for key, number in value.items():
+            self.numbers.source.check_name("links", self.name, key)
             points = letters(key)
             if key == "sense":
                 side = self._side(number)
@@ -111,6 +112,7 @@ class _LinkReader:
     def _rod(self, name: object) -> str:
         if not isinstance(name, str) or not _NAME.fullmatch(name):
             raise self.error(f"rod: must be one word, got {quoted(name)}", "as in rod = 'piston'")
+        self.numbers.source.check_name("links", self.name, name)
         others = self.numbers.source.table("links")
         if name in others:
             raise self.error(f"rod: a link is called {name} already")

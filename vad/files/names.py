@@ -11,13 +11,13 @@ from collections.abc import Iterable, Mapping
 
 from vad import gate
 from vad.errors import quoted, unknown
-from vad.files.tables import Source
+from vad.files.tables import LONGEST_NAME, Source
 
 TABLE = "names"
 #: The key of the title.
 TITLE = "title"
 #: The most letters of a name, and of a title.
-LONGEST, LONGEST_TITLE = 40, 80
+LONGEST, LONGEST_TITLE = LONGEST_NAME, 80
 _CODE = re.compile("[a-z]{2}")
 
 

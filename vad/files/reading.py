@@ -293,6 +293,7 @@ class _GuideReader:
         """Refuse a name of a slide that is not one word."""
         if not isinstance(name, str) or not (name.isidentifier() and name.isascii()):
             raise self.error(f"name: must be one word, got {quoted(name)}", "as in name = 'ram'")
+        self.numbers.source.check_name("guides", self.point, name)
 
     def under(self, name: object, line: object, others: Iterable[str]) -> str:
         """Return the name of the point of a link that lies under the block."""
@@ -300,6 +301,7 @@ class _GuideReader:
             raise self.error("under: only a link has a point under the block")
         if not isinstance(name, str) or letters(name) != (name,):
             raise self.error(f"under: must be one point, got {quoted(name)}", "as in under = 'Q'")
+        self.numbers.source.check_name("guides", self.point, name)
         linked = (point for link in self.links.values() for point in link.points)
         if name in {*self.fixed, *self.guided, *linked, *others}:
             raise self.error(f"under: there is a point {name} already")

@@ -36,6 +36,8 @@ TABLES = (
 )
 #: The tables of a file that describes a shaft or an engine.
 ROTORS = ("shaft", "engine", "cylinders", "locomotive")
+#: Tables whose keys are no names, but results or languages.
+_NO_NAMES = ("answers", "names")
 #: What stands beside the words, and is a number or two.
 GRAVITY = "gravity"
 #: A mechanism fits on a page; a longer file is probably the wrong one.
@@ -43,6 +45,8 @@ LONGEST = 100_000
 #: The most entries of a table, such as [links], and of one entry: with the number of links, the
 #: time to find their places grows by its cube.
 MOST = 100
+#: The most letters of a name of a link, a slide, a point or a dimension: a page has room for it.
+LONGEST_NAME = 40
 #: The most digits of a number: Python may read no more, and no double is as large.
 LONGEST_NUMBER = 600
 
@@ -108,6 +112,11 @@ class Source:
             yield
         except VadError as error:
             raise self.error(table, key, str(error), error.hint) from None
+
+    def check_name(self, table: str, key: str, name: str) -> None:
+        """Refuse a name that is too long, which stands under ``key``."""
+        with self.at(table, key):
+            gate.line(quoted(name), str(name), LONGEST_NAME)
 
     def packed(self) -> str:
         """Return all that it holds as one text, from which `unpacked` makes it again.
@@ -276,6 +285,9 @@ def sorted_out(source: Source) -> Source:
                 hint = _OF_SHEETS if key == SHEET else wrong.hint
                 raise source.error(table, inside, str(wrong), hint)
             _check_count(source, key, value)
+            if key not in _NO_NAMES:
+                for name in value:
+                    source.check_name(key, name, name)
             tables[key] = value
             if key == ROTORS[0] and isinstance(value.get("masses"), Mapping):
                 tables[f"{key}.masses"] = value["masses"]
