@@ -44,6 +44,8 @@ def test_wrong_usage(vad, written, tmp_path):
         ([path, "-o", out, "--jbos", "2"], 2, "hint: did you mean '--jobs'?"),
         ([path + "x", "-o", out], 2, "error: sheets cannot be read from"),
         ([str(tmp_path / "no.toml"), "-o", out], 1, "No such file or directory"),
+        (["no.toml", "-o", out], 1, "hint: vad batch --help shows a file to begin with"),
+        ([path.replace("sheets", "sheetz"), "-o", out], 1, "hint: sheets.toml is a file"),
         ([path, "-o", path], 1, "is a file, not a folder"),
         ([path, "-o", f"{out}/deeper"], 1, "cannot be written: no such file"),
         ([path, "-o", out, "--cluster", "nonsense"], 1, "cluster: nobody answers at 'nonsense'"),

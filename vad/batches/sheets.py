@@ -25,7 +25,7 @@ from vad.batches.roster import roster_columns
 from vad.discovery import one_of_all
 from vad.errors import InputError, UsageError, VadError, one_of, quoted, unknown
 from vad.export import FOLDER, FORMATS, has_companion, options_of, own_options
-from vad.files.tables import Source, parsed, text_of
+from vad.files.tables import Source, near_file, parsed, text_of
 from vad.lecture.lesson import Lesson, checked
 from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names
@@ -56,6 +56,7 @@ _NUMBER = re.compile(r"[+-]?\d+")
 _NOT_IN_NAMES, _NOT_AT_ENDS, _LONGEST_NAME = frozenset('<>:"/\\|?*'), (".", " ", ""), 200
 #: No class is so large.
 _LONGEST = 10_000_000
+_HELP = "vad batch --help shows a file to begin with"
 _HINT = "as in sheets.toml, or sheets.csv with one row a sheet"
 
 
@@ -465,7 +466,7 @@ def read_sheets(path: str | os.PathLike[str], more: Burden = NOTHING) -> Rows:
     kind = file.suffix.lower()
     if kind not in (".toml", ".csv"):
         raise UsageError(f"sheets cannot be read from {quoted(str(path))}", _HINT)
-    text = text_of(file, _LONGEST)
+    text = text_of(file, _LONGEST, lambda name: near_file(name) or _HELP)
     rows = read_csv(text, file) if kind == ".csv" else Rows(read_toml(text, file))
     return rows if more == NOTHING else _loaded(rows, more)
 

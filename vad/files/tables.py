@@ -12,7 +12,7 @@ import math
 import os
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from datetime import date, time
@@ -38,6 +38,8 @@ TABLES = (
 ROTORS = ("shaft", "engine", "cylinders", "locomotive")
 #: Tables whose keys are no names, but results or languages.
 _NO_NAMES = ("answers", "names")
+#: A longer name of a file is not compared with others.
+_LONGEST_NEAR = 100
 #: What stands beside the words, and is a number or two.
 GRAVITY = "gravity"
 #: A mechanism fits on a page; a longer file is probably the wrong one.
@@ -197,33 +199,44 @@ def with_tables(source: Source, folder: Path) -> Source:
     return replace(source, tables=tables)
 
 
-def text_of(path: object, longest: int = LONGEST) -> str:
-    """Return the text of a file of at most so many bytes.
+def near_file(path: str) -> str | None:
+    """Return the hint for a file that does not exist: a file of a similar name."""
+    folder, name = os.path.split(path)
+    if os.path.isfile(path + EXTENSION):
+        return f"{name}{EXTENSION} is a file"
+    if len(name) < _LONGEST_NEAR:
+        with suppress(OSError):
+            files = [each for each in os.listdir(folder or ".") if each.endswith(EXTENSION)]
+            for near in get_close_matches(name, files, n=1, cutoff=0.8):
+                return f"{near} is a file"
+    return None
+
+
+def _nearly(path: str) -> str | None:
+    """Return the hint for a file that does not exist: a file or an example of a similar name."""
+    found = near_file(path)
+    if found:
+        return found
+    name, stem = os.path.basename(path), Path(path).stem
+    if len(name) < _LONGEST_NEAR:
+        for near in get_close_matches(stem, all_names(), n=1, cutoff=0.7):
+            return f"vad example {near} > {near}{EXTENSION}"
+    if name.endswith(EXTENSION):
+        return f"vad example toggle-press > {name} makes a file to begin with"
+    return None
+
+
+def text_of(
+    path: object, longest: int = LONGEST, hint: Callable[[str], str | None] = _nearly
+) -> str:
+    """Return the text of a file of at most so many bytes; ``hint`` is that of `vad.gate.text`.
 
     Raises
     ------
     vad.errors.InputError
         For one that cannot be read, or is no text.
     """
-    return gate.text(gate.path("path", path), longest, _nearly)
-
-
-def _nearly(path: str) -> str | None:
-    """Return the hint for a file that does not exist: a file or an example of a similar name."""
-    folder, name = os.path.split(path)
-    if os.path.isfile(path + EXTENSION):
-        return f"{name}{EXTENSION} is a file"
-    stem = Path(path).stem
-    if len(stem) < 100:
-        with suppress(OSError):
-            files = [each for each in os.listdir(folder or ".") if each.endswith(EXTENSION)]
-            for near in get_close_matches(name, files, n=1, cutoff=0.8):
-                return f"{near} is a file"
-        for near in get_close_matches(stem, all_names(), n=1, cutoff=0.7):
-            return f"vad example {near} > {near}{EXTENSION}"
-    if name.endswith(EXTENSION):
-        return f"vad example toggle-press > {name} makes a file to begin with"
-    return None
+    return gate.text(gate.path("path", path), longest, hint)
 
 
 def read_text(text: str, name: str) -> Source:
