@@ -140,7 +140,10 @@ def test_markdown(folder, questions):
     [
         ("tolerance = 0.05", "tolerance = 5", "line 6: tolerance: must be between 0 and 1, got 5"),
         ('"C.velocity"', '"C.position"', "unknown result of a question 'C.position'"),
-        ('"C.velocity"', '"D.speed"', "D.speed"),
+        ('"C.velocity"', '"D.speed"', "ask: unknown result 'D.speed'"),
+        ('"C.velocity"', '"foo"', "sheets.toml, line 7: ask: 'foo' is no result"),
+        ('"C.velocity"', '"stroke"', "sheets.toml, line 7: ask: 'stroke' is no result"),
+        ('"C.velocity"', '"drive"', "ask: unknown result of a question 'drive'"),
         ("crank = { share", "crnk = { share", "unknown parameter 'crnk'"),
     ],
 )

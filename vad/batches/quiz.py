@@ -119,7 +119,8 @@ def _questions(job: Job) -> Iterator[Question]:
     asked = job.recipe.ask or tuple(dict.fromkeys(_usual(motion, forces, sheet, blank)))
     if not asked:
         raise _nothing(motion, forces, blank)
-    found = _values(motion, forces, sheet, asked)
+    with written_at("ask"):
+        found = _values(motion, forces, sheet, asked)
     problem = _png(numbered, style, blank)
     key, title = _png(numbered, style, ()), f"{sheet.title} · {job.label}"
     known = ", ".join(dict.fromkeys(_given(sheet, motion, forces, asked)))
@@ -269,7 +270,7 @@ def _values(
             continue
         owner, _, kind = name.partition(".")
         of_point = owner in motion.points
-        if (of_point and kind not in _OF_POINTS) or owner in motion.solver.bodies:
+        if not kind or (of_point and kind not in _OF_POINTS) or owner in motion.solver.bodies:
             known = [f"{point}.velocity" for point in motion.points]
             usual = _usual(motion, forces, sheet, ("velocity", "force", "drive"))
             raise unknown("result of a question", name, [*usual, *known])

@@ -30,6 +30,7 @@ from vad.lecture.lesson import Lesson, checked
 from vad.mechanisms.link_points import link_points
 from vad.plan.format import paper_names
 from vad.statics.burden import NOTHING, Burden
+from vad.statics.forces import DRIVE
 from vad.strokes import task, titling
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.sheet import Sheet
@@ -73,6 +74,14 @@ def names(value: object) -> tuple[str, ...]:
     if not isinstance(listed, list | tuple) or not all(isinstance(each, str) for each in listed):
         raise InputError(f"must be a list of names, got {quoted(value)}", 'as in ["a", "b"]')
     return tuple(dict.fromkeys(listed))
+
+
+def _check_asked(asked: tuple[str, ...]) -> None:
+    """Refuse what is asked for if no result of a linkage is called so."""
+    for name in asked:
+        if "." not in name and name != DRIVE:
+            hint = 'as in ["rocker.omega", "C.velocity"]'
+            raise InputError(f"{quoted(name)} is no result", hint)
 
 
 def _count(value: object) -> int:
@@ -275,6 +284,9 @@ def read_toml(text: str, path: Path) -> list[Job]:
             own = burden_in({word: words[word]})
             both = burden_in(words) if word in ("gravity", "friction") else own
             check_borne(kind, both, words)
+    if not kind.is_rotor:
+        with written_at(source.place("sheet", "ask")), written_at("ask"):
+            _check_asked(words.get("ask", ()))
     vary = []
     for name, value in source.table("vary").items():
         with written_at(source.place("vary", name)):
