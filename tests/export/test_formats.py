@@ -57,7 +57,7 @@ def test_the_command_line_has_its_options(capsys: pytest.CaptureFixture[str]) ->
         assert Path("a.new").read_text() == "('Sheet', 'chalk', True, 7.5, 'none', 2)"
     for output in (["-o", "a.png"], ["--output=a.png"], ["-oa.png"]):
         assert run(["draw", "four-bar", "--whole", *output]) == 2
-        assert "unknown option '--whole'" in capsys.readouterr().err
+        assert "--whole is for .new, not for 'a.png'" in capsys.readouterr().err
     assert run(["draw", "four-bar", "--help"]) == 0
     text = " ".join(capsys.readouterr().out.split())
     assert "--whole a whole document" in text
