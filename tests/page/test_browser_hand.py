@@ -889,5 +889,10 @@ def test_forced_colours_show_the_mode_and_the_handle(page: Page) -> None:
     ground = "e => getComputedStyle(e).backgroundColor"
     assert pressed.evaluate(ground) != other.evaluate(ground)
     expect(page.locator("[data-vad-grip]")).to_be_visible()
-    expect(page.locator(".turner")).to_have_css("appearance", "auto")
+    for track in (".turner", ".size [type=range] >> nth=0"):
+        expect(page.locator(track)).to_have_css("appearance", "auto")
+    row = page.locator(".hides").first  # all rows are shown, which is nothing special
+    assert row.evaluate(ground) == other.evaluate(ground)
+    chip = page.get_by_role("button", name="Letters")
+    assert chip.evaluate(ground) == pressed.evaluate(ground)
     page.emulate_media(forced_colors="null")
