@@ -19,10 +19,11 @@ from vad.mechanisms import Mechanism
 from vad.plan.format import screen
 from vad.plan.hand_board import HandBoard, hand_board
 from vad.plan.labels.named import NamedLabels
-from vad.plan.marks import Lettering
+from vad.plan.marks import Lettering, Polyline
 from vad.plan.pictures.polygon import Polygon
 from vad.plan.scale import Scale
 from vad.plan.sketch import Sketch
+from vad.statics.burden import burden_of
 from vad.strokes.draw import chosen
 from vad.words import languages
 
@@ -217,3 +218,23 @@ def test_the_letter_of_a_velocity_stands_beside_its_arrow_in_every_pose(name: st
     columns = program.many(given, places.size)[len(board.traced.guards) :]
     start, end, at = (columns[n] + 1j * columns[n + 1] for n in (0, 2, 4))
     assert (np.abs(at - (start + end) / 2) * 720.0 < 40.0).all()
+
+
+def test_the_driven_link_alone_fills_its_panel() -> None:
+    """Its scale is that of its own poses, not of the whole mechanism."""
+    burden = burden_of(["800 N @ 180 at C"])
+    board = hand_board(
+        vad.SliderCrank(), ["position", "force", "drive"], "en", screen((1280, 720)), 1, burden
+    )
+    position, drive = (board.live.pictures[name].scale for name in ("position", "drive"))
+    assert plain(drive.factor) > 1.5 * plain(position.factor)
+    room = board.live.page.panels["drive"].drawing
+    arrows = [
+        mark.shape
+        for item in board.sketches["drive"].items
+        for mark in item.marks
+        if mark.role == "vector" and isinstance(mark.shape, Polyline)
+    ]
+    ends = [complex(plain(z)) for shape in arrows for piece in shape.pieces for z in piece]
+    assert len(ends) > 3
+    assert all(room.holds(end) for end in ends)

@@ -200,7 +200,7 @@ def test_the_notes_of_a_turn_lie_on_no_pose():
 
 def test_under_the_hand_the_views_keep_their_scale_and_letters_stand_once_a_view():
     form = screen((1280, 720))
-    board = LiveBoard.over(POSES[0], form, 1, [sheet.panels[0] for sheet in POSES])
+    board = LiveBoard.over(POSES[0], form, 1, POSES)
     ways: dict[str, dict[str, float]] = {}
     scales = set()
     for sheet in POSES[:4]:

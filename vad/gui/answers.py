@@ -8,7 +8,7 @@ its own, which is removed afterwards; no question names a path.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from functools import lru_cache
 from hashlib import sha256
@@ -48,7 +48,7 @@ from vad.statics.burden import Burden
 from vad.statics.forces import Forces
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import OF_FORCES, chosen, with_forces
-from vad.strokes.sheet import Arrow, Block, Panel, Sheet
+from vad.strokes.sheet import Arrow, Block, Sheet
 from vad.style import load_style
 
 FORM = screen(SIZE)
@@ -188,10 +188,10 @@ def board_of(
     vad.errors.AssemblyError
         If it closes nowhere.
     """
-    motions = [vad.solve(mechanism, **given) for given in poses_over_reach(mechanism)]
-    poses = [_position_panel(motion) for motion in motions]
+    motions = (vad.solve(mechanism, **given) for given in poses_over_reach(mechanism))
     loaded = [with_forces(motion, burden) for motion in motions]
-    return LiveBoard.over(_first(loaded, panels, language), FORM, LINES, poses)
+    sheet = _first(loaded, panels, language)
+    return LiveBoard.over(sheet, FORM, LINES, list(_pictured(sheet, loaded)))
 
 
 def _results(motion: Motion, burden: Burden | None) -> dict[str, Any]:
@@ -205,9 +205,14 @@ def _quoted(html: str) -> str:
     return html.replace('"', "'")
 
 
-def _position_panel(motion: Motion) -> Panel:
-    """Return the panel of the mechanism in one pose."""
-    return vad.draw(motion, POSITION, "en").panel(POSITION)
+def _pictured(sheet: Sheet, poses: Iterable[Pose]) -> Iterator[Sheet]:
+    """Yield the panels of a sheet that show bodies, of all poses that have them."""
+    panels = [panel.name for panel in sheet.panels if panel.picture != "vectors"]
+    for pose in poses if panels else ():
+        try:
+            yield vad.draw(pose, panels, "en")
+        except VadError:
+            continue
 
 
 @lru_cache(maxsize=8)

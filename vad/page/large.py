@@ -90,4 +90,5 @@ def _turned_scale(panel: Panel, room: Rect, turned: HandBoard) -> dict[str, Scal
     """Return the scale of a mechanism at which all its poses fit a room; none of a polygon."""
     if panel.name not in turned.live.pictures:
         return {}
-    return {panel.name: reach_scale(Setting(turned.traced.sheet, panel, room, {}), turned.poses)}
+    poses = [sheet.panel(panel.name) for sheet in turned.poses]
+    return {panel.name: reach_scale(Setting(turned.traced.sheet, panel, room, {}), poses)}

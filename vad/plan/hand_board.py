@@ -32,7 +32,7 @@ from vad.plan.pictures.views import held_arc, tip_of
 from vad.plan.scale import Scale, calm_scale
 from vad.plan.sketch import Sketch
 from vad.strokes.draw import NO_PINS, parted, scene_of, sheet_of, with_forces
-from vad.strokes.sheet import Arrow, Block, Panel, Sheet
+from vad.strokes.sheet import Arrow, Block, Sheet
 from vad.strokes.traced_sheet import TracedSheet, nothing_held, traced_sheet
 from vad.words import Language
 
@@ -88,7 +88,7 @@ class HandBoard:
     mechanism
         The mechanism.
     poses
-        Its panel over the whole range of the driver.
+        Its sheets over the whole range of the driver.
     live
         The page, and what stands still on it.
     traced
@@ -104,7 +104,7 @@ class HandBoard:
     """
 
     mechanism: Mechanism
-    poses: Sequence[Panel]
+    poses: Sequence[Sheet]
     live: LiveBoard
     traced: TracedSheet
     scales: Mapping[str, Scale]
@@ -190,8 +190,8 @@ def hand_board(
     sheets = list(_drawn(mechanism, inputs, panels, language, burden, poles, pins))
     if not sheets:
         raise AssemblyError("with these lengths the links close nowhere")
-    poses = [sheet.panels[0] for _, sheet in sheets]
-    live = LiveBoard.over(sheets[0][1], form, lines, poses)
+    poses = [sheet for _, sheet in sheets]
+    live = LiveBoard.over(poses[0], form, lines, poses)
     general = min(sheets, key=lambda each: _specials(live, each[1]))[0]
     names = list(mechanism.dimensions())
     held = poles.traced if poles else nothing_held

@@ -60,7 +60,7 @@ class LiveBoard:
     pictures: Mapping[str, Skeleton | Views]
 
     @classmethod
-    def over(cls, sheet: Sheet, form: Format, lines: int, poses: Sequence[Panel]) -> LiveBoard:
+    def over(cls, sheet: Sheet, form: Format, lines: int, poses: Sequence[Sheet]) -> LiveBoard:
         """Return the board of a mechanism.
 
         Parameters
@@ -72,11 +72,13 @@ class LiveBoard:
         lines
             How many lines there are for a caption.
         poses
-            The panels of its mechanism over the whole range of the driver.
+            All of its poses over the whole range of the driver.
         """
         board = cls(form, arrange(sheet, form, lines)[0], {})
         pictures = {
-            panel.name: over_reach(board.setting(sheet, panel), poses)
+            panel.name: over_reach(
+                board.setting(sheet, panel), [each.panel(panel.name) for each in poses]
+            )
             for panel in sheet.panels
             if panel.picture != "vectors"
         }
