@@ -19,6 +19,7 @@ import vad
 from tests.test_imports import command, loaded
 from vad.cli.run import run
 from vad.errors import VadError
+from vad.files.examples import example_path, rotor_names
 
 ROOT = Path(__file__).parents[2]
 
@@ -124,6 +125,14 @@ def test_what_the_page_could_not_begin_with_is_refused(capsys, monkeypatch, word
     monkeypatch.setattr("vad.gui.server.served", never)
     assert run(["gui", "slider-crank", "--no-browser", *words]) == code
     assert capsys.readouterr().err.startswith(f"error: {said}")
+
+
+@pytest.mark.parametrize("name", rotor_names())
+def test_no_window_opens_with_a_shaft_or_an_engine(capsys, name):
+    assert run(["gui", str(example_path(name)), "--no-browser"]) == 2
+    said = capsys.readouterr().err
+    assert said.startswith(f"error: {name}.toml: a window turns a mechanism by hand, which")
+    assert f"vad draw {name}.toml -o {name}.png shows it" in said
 
 
 def test_a_wrong_port_is_said(capsys):

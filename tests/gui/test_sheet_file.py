@@ -7,6 +7,7 @@ from starlette.testclient import TestClient
 
 import vad
 from vad.errors import VadError
+from vad.files.examples import example_path
 from vad.gui.answers import saved
 from vad.gui.messages import ExportQuestion
 
@@ -72,3 +73,21 @@ def test_what_is_wrong_in_a_file_is_said_in_the_language(
     said = client.post("/api/entry", json=asked).json()["error"]["message"]
     assert said.startswith(says[code])
     assert " must " not in said
+
+
+@pytest.mark.parametrize(
+    ("code", "says"),
+    [
+        ("en", "engine is not|vad draw my.toml -o my.png shows it"),
+        ("de", "Motoren nicht|vad draw my.toml -o my.png zeigt es"),
+        ("fr", "un moteur|vad draw my.toml -o my.png le montre"),
+    ],
+)
+def test_an_engine_is_refused_with_the_command_that_shows_it(
+    client: TestClient, code: str, says: str
+) -> None:
+    text = example_path("four-in-line").read_text("utf-8")
+    asked = {"mechanism": "my.toml", "text": text, "language": code}
+    error = client.post("/api/entry", json=asked).json()["error"]
+    message, hint = says.split("|")
+    assert error["message"].endswith(message) and error["hint"] == hint

@@ -121,11 +121,12 @@ class Question:
         Raises
         ------
         vad.errors.UsageError
-            For more further points, or loads, than a window takes.
+            For more further points, or loads, than a window takes; for a shaft or an engine.
         """
         kind, name = type(mechanism), mechanism.name
         if MECHANISMS.get(name) is not kind:
             name += EXTENSION
+        check_turned(kind, name)
         return cls(
             name,
             mechanism.parameters(),
@@ -287,6 +288,21 @@ def read(kind: type[Asked], data: object, kinds: Kinds = MECHANISMS) -> Asked:
     if "mechanism" not in data:
         raise UsageError("mechanism: is missing", hint="vad list names them all")
     return kind(**{name: _CHECKS[name](name, value) for name, value in data.items()}, kinds=kinds)
+
+
+def check_turned(kind: type[Mechanism], file: str) -> None:
+    """Refuse a shaft or an engine that a file describes: no hand turns it.
+
+    Raises
+    ------
+    vad.errors.UsageError
+        With the command that shows it.
+    """
+    if kind.is_rotor:
+        raise UsageError(
+            f"{file}: a window turns a mechanism by hand, which a shaft or an engine is not",
+            f"vad draw {file} -o {kind.name}.png shows it",
+        )
 
 
 def _text(name: str, value: object) -> str:

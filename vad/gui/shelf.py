@@ -12,7 +12,7 @@ from vad.errors import UsageError
 from vad.files.examples import EXTENSION, example_names, example_path, example_title
 from vad.files.loading import class_of, load
 from vad.files.tables import read_text
-from vad.gui.messages import Kinds
+from vad.gui.messages import Kinds, check_turned
 from vad.mechanisms import Mechanism
 
 #: How many files are kept; who opens more opens the first one anew.
@@ -67,11 +67,12 @@ class Shelf(Mapping[str, type[Mechanism]]):
         Raises
         ------
         vad.errors.VadError
-            With the line of what cannot be read or cannot move.
+            With the line of what cannot be read or cannot move; for a shaft or an engine.
         """
         if not name.endswith(EXTENSION) or len(name) > 100 or not name.isprintable():
             raise UsageError(f"name: must end in {EXTENSION}", "vad example watt-1 prints one")
         kind = class_of(read_text(text, name))
+        check_turned(kind, name)
         with self._lock:
             self._opened.pop(name, None)
             self._opened[name] = kind

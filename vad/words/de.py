@@ -1605,6 +1605,10 @@ ERRORS = {
     ),
     "{lines} and never cross": "{lines} und schneiden sich nie",
     "must be one number, got {value}": "muss eine einzige Zahl sein, nicht {value}",
+    "a window turns a mechanism by hand, which a shaft or an engine is not": (
+        "in einem Fenster wird ein Getriebe von Hand gedreht, Wellen und Motoren nicht"
+    ),
+    "vad draw {example} shows it": "vad draw {example} zeigt es",
     "vad example {name} makes a file to begin with": (
         "vad example {name} macht eine Datei für den Anfang"
     ),

@@ -1588,6 +1588,10 @@ ERRORS = {
     ),
     "{lines} and never cross": "{lines} et ne se coupent jamais",
     "must be one number, got {value}": "doit être un seul nombre, pas {value}",
+    "a window turns a mechanism by hand, which a shaft or an engine is not": (
+        "une fenêtre fait tourner à la main un mécanisme, mais ni un arbre ni un moteur"
+    ),
+    "vad draw {example} shows it": "vad draw {example} le montre",
     "vad example {name} makes a file to begin with": (
         "vad example {name} fait un fichier pour commencer"
     ),
