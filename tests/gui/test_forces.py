@@ -42,8 +42,18 @@ def test_a_lesson_and_a_pose_have_the_forces(forces):
     posed = pose(read(PoseQuestion, ASKED))
     wanted = json.loads(json.dumps(forces.to_dict()))
     assert taught["results"]["forces"] == posed["results"]["forces"] == wanted
-    assert [name for name, *_ in posed["panels"]] == ["position", "force", "drive"]
+    assert [name for name, *_ in posed["panels"]] == ["position", "acceleration", "force", "drive"]
     assert taught["results"]["input"] == posed["results"]["input"]
+
+
+@pytest.mark.parametrize("omega", [10.0, 0.0])
+def test_the_window_has_the_panels_of_vad_draw(omega: float):
+    inputs = {"omega": omega, "alpha": 0.0}
+    motion = vad.solve(vad.SliderCrank(), **inputs)
+    drawn = vad.draw(vad.forces(motion, LOADS, MASSES))
+    burden = {"loads": LOADS, "masses": MASSES}
+    posed = pose(read(PoseQuestion, {**ASKED, "burden": burden, "inputs": inputs}))
+    assert [name for name, *_ in posed["panels"]] == [panel.name for panel in drawn.panels]
 
 
 def test_a_panel_in_which_all_forces_are_zero_is_empty():
@@ -69,7 +79,7 @@ def test_a_file_has_the_loads():
     data, name = saved(read(ExportQuestion, ASKED), "json")
     assert name == "slider-crank.json"
     sheet = json.loads(data)
-    assert list(sheet["panels"]) == ["position", "force", "drive"]
+    assert list(sheet["panels"]) == ["position", "acceleration", "force", "drive"]
     labels = [stroke["label"] for stroke in sheet["panels"]["force"]["strokes"]]
     assert {"P", "W₃", "F₂₃", "F₁₄"} <= set(labels)
     content, _ = saved(read(ExportQuestion, ASKED), "svg")

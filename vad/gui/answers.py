@@ -47,7 +47,7 @@ from vad.plan.scale import Scale, calm_scale
 from vad.statics.burden import Burden
 from vad.statics.forces import Forces
 from vad.strokes.diagrams import DIAGRAMS
-from vad.strokes.draw import OF_FORCES, chosen, with_forces
+from vad.strokes.draw import chosen, parted, with_forces
 from vad.strokes.sheet import Arrow, Block, Sheet
 from vad.style import load_style
 
@@ -89,21 +89,21 @@ def check_start(question: Question) -> None:
     """
     motion, burden = question.solved()
     pose = with_forces(motion, burden)
-    panels = _panels(question, motion, burden)
+    panels = _panels(question, pose)
     with suppress(AssemblyError, DeadCentreError):
         arrange(vad.draw(pose, panels, question.language), FORM, LINES)
 
 
-def _panels(question: Question, motion: Motion, burden: Burden | None) -> tuple[str, ...]:
-    """Return the panels that are asked for, or the usual ones.
+def _panels(question: Question, pose: Pose) -> tuple[str, ...]:
+    """Return the panels that are asked for, or the usual ones of the pose.
 
     Raises
     ------
     vad.errors.UsageError
         For a panel that is not turned by hand.
     """
-    given = question.panels or (None if burden is None else OF_FORCES)
-    panels = chosen(given, motion)
+    motion, forces = parted(pose)
+    panels = chosen(question.panels or None, motion, forces)
     for name in panels:
         if not DIAGRAMS[name].by_hand:
             hint = f"as in vad draw {motion.mechanism.name} --panels {name} -o {name}.png"
@@ -131,10 +131,10 @@ def pose(question: PoseQuestion) -> dict[str, Any]:
     """
     begun = time.thread_time()
     motion, burden = question.solved()
-    mechanism, panels = motion.mechanism, _panels(question, motion, burden)
-    trouble: dict[str, Any] = {}
+    loaded, trouble = with_forces(motion, burden), dict[str, Any]()
+    mechanism, panels = motion.mechanism, _panels(question, loaded)
     try:
-        sheet = vad.draw(with_forces(motion, burden), panels, question.language)
+        sheet = vad.draw(loaded, panels, question.language)
         trouble = {"results": _results(motion, burden)}
     except DeadCentreError as error:
         if POSITION not in panels:
@@ -281,8 +281,9 @@ def lesson(question: LessonQuestion) -> dict[str, Any]:
         For a pose that cannot be, or that has no rates.
     """
     motion, burden = question.solved()
-    mechanism, panels = motion.mechanism, _panels(question, motion, burden)
-    sheet = vad.draw(with_forces(motion, burden), panels, question.language)
+    loaded = with_forces(motion, burden)
+    mechanism, panels = motion.mechanism, _panels(question, loaded)
+    sheet = vad.draw(loaded, panels, question.language)
     turned = turned_board_of(mechanism, panels, question.language, burden)
     scales = dict(turned.live.scales)
     for panel in sheet.halves:
@@ -398,7 +399,8 @@ def saved(question: ExportQuestion, extension: str) -> tuple[bytes, str]:
     motion, burden = question.solved()
     if extension == "toml":
         return _file_of(motion, burden)
-    pose, panels = with_forces(motion, burden), _panels(question, motion, burden)
+    pose = with_forces(motion, burden)
+    panels = _panels(question, pose)
     sheet = vad.draw(pose, panels, question.language)
     name = motion.mechanism.name + _ENDS.get(extension, f".{extension}")
     with temporary_folder() as folder:
