@@ -68,6 +68,35 @@ C = "upper"
     assert "{ AB = 40, AP = 41.0 }  # both 40" in written and "{ BC = 121.0 }" in written
 
 
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("name", example_names())
+def test_the_pose_is_written_too(name: str) -> None:
+    """What the file leaves out, as the acceleration of most examples, is added."""
+    kind: Any = vad.load(example_path(name))
+    place, rate, further = kind.inputs
+    inputs = {place: kind.inputs[place] + 1.0, rate: 20.5, further: 3.5}
+    text = rewritten(kind(), inputs)
+    again = load_text(text.encode(), f"{name}.toml")
+    assert again.inputs == inputs
+    motions = [vad.solve(each(), **inputs).to_dict()["points"] for each in (kind, again)]
+    for letter, point in motions[0].items():
+        assert motions[1][letter]["position"] == pytest.approx(point["position"], abs=1e-9)
+
+
+def test_an_input_is_added_in_a_table_of_its_own() -> None:
+    text = example_path("four-bar").read_text("utf-8")
+    line = 'crank = { angle = 60, omega = "100 rpm" }'
+    apart = text.replace(f"[driver]\n{line}", "[driver.crank]\nangle = 60\nomega = 10")
+    assert apart != text
+    kind: Any = load_text(apart.encode(), "apart.toml")
+    written = rewritten(kind(), {"angle": 100.0, "alpha": 2.0})
+    assert load_text(written.encode(), "apart.toml").inputs == {
+        "angle": 100.0,
+        "omega": 10.0,
+        "alpha": 2.0,
+    }
+
+
 def test_what_comes_from_no_file_has_none() -> None:
     kind: Any = vad.mechanism(
         fixed={"A": (0, 0), "D": (100, 0)},

@@ -1,8 +1,8 @@
 """A mechanism's file with other numbers: its own text, in which they stand instead.
 
 What is written beside them stays: comments, titles, expressions.  Which number of the text a
-parameter is, is found by trial: the text is read again with the new number, and only that parameter
-may have changed.
+parameter or an input is, is found by trial: the text is read again with the new number, and only
+that one may have changed.
 """
 
 from __future__ import annotations
@@ -28,14 +28,14 @@ _SAME = 1e-9
 
 
 def rewritten(mechanism: WrittenMechanism, inputs: Mapping[str, float]) -> str:
-    """Return the file of a mechanism with the mechanism's own numbers and places.
+    """Return the file of a mechanism with the mechanism's own numbers and places, in a pose.
 
     Parameters
     ----------
     mechanism
         One that a file describes.
     inputs
-        A pose in which it closes.
+        The pose, in which it closes; what is left out stays.
 
     Raises
     ------
@@ -46,16 +46,19 @@ def rewritten(mechanism: WrittenMechanism, inputs: Mapping[str, float]) -> str:
     --------
     >>> from vad.files.examples import example_path
     >>> from vad.files.loading import load
-    >>> text = rewritten(load(example_path("toggle-press"))(crank=170), {"angle": 45})
-    >>> [line for line in text.splitlines() if line.startswith("crank")][0]
-    'crank  = { OA = 170.0 }'
+    >>> text = rewritten(load(example_path("toggle-press"))(crank=170), {"angle": 50})
+    >>> for line in text.splitlines():
+    ...     if line.startswith("crank"):
+    ...         print(line)
+    crank  = { OA = 170.0 }
+    crank = { angle = 50, omega = "180 rpm", alpha = 50 }
     """
     source = mechanism.written.source
     text, kind = source.text, type(mechanism)
     if not text:
         raise InputError(f"{mechanism.name}: is from no file", "vad example four-bar prints one")
-    wanted = dict(mechanism.written.values)
-    for name, value in mechanism.parameters().items():
+    wanted = {**mechanism.written.values, **kind.inputs}
+    for name, value in {**mechanism.parameters(), **inputs}.items():
         if value != wanted.get(name, value):
             wanted[name] = value
             tried = _with_number(text, kind, name, value)
@@ -73,17 +76,24 @@ def rewritten(mechanism: WrittenMechanism, inputs: Mapping[str, float]) -> str:
 
 
 def _with_number(text: str, kind: type[WrittenMechanism], name: str, value: float) -> Iterator[str]:
-    """Yield the text with another number in each place that has the parameter's own."""
-    own = next(field for field in fields(kind) if field.name == name)
-    default: Any = own.default
-    for found in _LITERAL.finditer(text):
+    """Yield the text with another number in each place that has the own one.
+
+    After these, yield it with an input that it leaves out beside each number.
+    """
+    own: Any = next((field for field in fields(kind) if field.name == name), None)
+    default = own.default if own else kind.inputs[name]
+    quantity = own.metadata["quantity"] if own else name
+    literals = list(_LITERAL.finditer(text))
+    for found in literals:
         try:
-            said = found["text"] or found[0]
-            number = number_of("", said, own.metadata["quantity"], kind().length_unit)
+            number = number_of("", found["text"] or found[0], quantity, kind().length_unit)
         except VadError:
             continue
         if number == default:
             yield f"{text[: found.start()]}{value!r}{text[found.end() :]}"
+    if not own:
+        for found, gap in product(literals, (", ", "\n")):
+            yield f"{text[: found.end()]}{gap}{name} = {value!r}{text[found.end() :]}"
 
 
 def _with_words(text: str, kind: type[WrittenMechanism]) -> Iterator[str]:
@@ -105,12 +115,13 @@ def _with_words(text: str, kind: type[WrittenMechanism]) -> Iterator[str]:
 
 
 def _numbers(name: str, text: str) -> dict[str, float]:
-    """Return the numbers of a file; none of one that cannot be read."""
+    """Return the parameters and inputs of a file; none of one that cannot be read."""
     try:
-        parameters = describe(read_text(text, name)).parameters
+        found = describe(read_text(text, name))
     except VadError:
         return {}
-    return {each: parameter.default for each, parameter in parameters.items()}
+    parameters = {each: parameter.default for each, parameter in found.parameters.items()}
+    return {**parameters, **found.driver.inputs}
 
 
 def _places(mechanism: WrittenMechanism, inputs: Mapping[str, float]) -> list[complex]:
