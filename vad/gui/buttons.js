@@ -42,24 +42,29 @@ async function recall(hash = location.hash) {
 async function listed(name) {
   if (name in catalogue) return true;
   const answer = await asked("entry", { mechanism: name, language: start.language });
-  if (answer.entry) catalogue[name] = answer.entry;
+  if (answer.entry) offer(name, answer.entry);
   return name in catalogue;
+}
+
+// Keeps what can be set of a mechanism, which the list has from now on.
+function offer(name, entry) {
+  catalogue[name] = entry;
+  let option = [...find("#mechanism").options].find((each) => each.value === name);
+  if (!option) find("#mechanism optgroup").append(option = element("option", { value: name }));
+  option.textContent = entry.title;
 }
 
 async function opened(file) {
   if (!file) return;
   const answer = await asked("entry", { mechanism: file.name, text: await file.text(), language: start.language });
   if (answer.error) return complain(answer.error);
-  catalogue[answer.mechanism] = answer.entry;
+  offer(answer.mechanism, answer.entry);
   standing &&= { ...standing, mechanism: null };
   if (answer.given) {
     const { assembly, ...given } = answer.given;
     choose(answer.mechanism, { ...given, places: { "": assembly } });
     return want(true);
   }
-  const list = find("#mechanism optgroup");
-  if (![...find("#mechanism").options].some((each) => each.value === answer.mechanism)) list.append(element("option", { value: answer.mechanism }));
-  [...find("#mechanism").options].find((each) => each.value === answer.mechanism).textContent = answer.entry.title;
   choose(answer.mechanism);
   want(true);
 }

@@ -152,7 +152,8 @@ def application(key: PageKey, start: ExportQuestion, closing: Event) -> ASGIApp:
 
     def page(request: Request, _: bytes) -> Response:
         code = request.query_params.get("lang", start.language)
-        shown = replace(start, language=code if code in all_languages() else start.language)
+        language = code if code in all_languages() else start.language
+        shown = replace(start, language=language, kinds={**start.kinds, **shelf.opened})
         return HTMLResponse(window(shown, request.state.nonce))
 
     def posed(_: Request, body: bytes) -> Response:

@@ -50,6 +50,12 @@ class Shelf(Mapping[str, type[Mechanism]]):
         return len(list(iter(self)))
 
     @property
+    def opened(self) -> Kinds:
+        """The mechanisms of files that were opened, by name."""
+        with self._lock:
+            return dict(self._opened)
+
+    @property
     def examples(self) -> list[str]:
         """The names of the examples."""
         names = (name + EXTENSION for name in example_names())
