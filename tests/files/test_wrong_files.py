@@ -182,7 +182,7 @@ def test_a_triad_is_refused_with_the_drivers_that_would_do():
     ("content", "message"),
     [
         (None, "No such file"),
-        (b"", "there is no fixed point"),
+        (b"", "is empty"),
         (b"\x89PNG\r\n\x1a\n\x00\x00", "is no text in UTF-8"),
         (b"a = 1\n" * 20_000, "is longer than 100000 bytes"),
         (b"[" * 5_000, "lesson.toml"),

@@ -19,7 +19,7 @@ import vad
 from tests.browser import opened, until, violations
 from vad.files.examples import example_path
 from vad.gui.answers import pose
-from vad.gui.messages import ExportQuestion, PoseQuestion
+from vad.gui.messages import LONGEST, ExportQuestion, PoseQuestion
 from vad.gui.server import served
 from vad.gui.visit import visited
 from vad.mechanisms import MECHANISMS
@@ -424,6 +424,15 @@ def test_a_file_is_opened(window: Page, tmp_path: Path):
     wrong.write_text("title = 3\n")
     window.locator("input[type=file]").set_input_files(wrong)
     until(window, lambda: "wrong.toml" in window.locator(".message").inner_text())
+    paths, large = asked(window), tmp_path / "large.toml"
+    for size in (LONGEST, 5 * LONGEST):
+        large.write_bytes(b"#" * size)
+        window.locator("input[type=file]").set_input_files(large)
+        until(window, lambda: "large.toml is too large" in window.locator(".message").inner_text())
+    assert paths == []
+    wrong.write_text("")
+    window.locator("input[type=file]").set_input_files(wrong)
+    until(window, lambda: "wrong.toml: is empty" in window.locator(".message").inner_text())
 
 
 def test_every_kind_of_file(window: Page):

@@ -13,8 +13,8 @@ from starlette.testclient import TestClient
 import vad.gui.server
 from tests.gui.conftest import HOME, PORT
 from vad.errors import ExportError
-from vad.gui.guard import LONGEST, PageKey
-from vad.gui.messages import ExportQuestion
+from vad.gui.guard import PageKey
+from vad.gui.messages import LONGEST, ExportQuestion
 from vad.gui.server import served
 
 POSE = {"mechanism": "slider-crank"}

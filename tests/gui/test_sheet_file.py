@@ -75,6 +75,13 @@ def test_what_is_wrong_in_a_file_is_said_in_the_language(
     assert " must " not in said
 
 
+@pytest.mark.parametrize("text", ["", "# nothing\n"])
+def test_an_empty_file_is_said_to_be_empty(client: TestClient, text: str) -> None:
+    error = client.post("/api/entry", json={"mechanism": "a.toml", "text": text}).json()["error"]
+    assert error["message"] == "a.toml: is empty"
+    assert error["hint"] == "vad example toggle-press makes a file to begin with"
+
+
 @pytest.mark.parametrize(
     ("code", "says"),
     [

@@ -240,8 +240,18 @@ def text_of(
 
 
 def read_text(text: str, name: str) -> Source:
-    """Return the tables of a mechanism's text that errors call ``name``."""
-    return sorted_out(parsed(text, name))
+    """Return the tables of a mechanism's text that errors call ``name``.
+
+    Raises
+    ------
+    vad.errors.InputError
+        If it is no TOML, or nothing, or has a table that no mechanism has.
+    """
+    source = parsed(text, name)
+    if not source.table(""):
+        hint = "vad example toggle-press makes a file to begin with"
+        raise InputError(f"{name}: is empty", hint)
+    return sorted_out(source)
 
 
 def parsed(text: str, name: str) -> Source:

@@ -56,7 +56,10 @@ function offer(name, entry) {
 
 async function opened(file) {
   if (!file) return;
-  const answer = await asked("entry", { mechanism: file.name, text: await file.text(), language: start.language });
+  const about = { mechanism: file.name, text: file.size > longest ? "" : await file.text(), language: start.language };
+  if (Math.max(file.size, new Blob([JSON.stringify(about)]).size) > longest)
+    return complain({ kind: "usage", message: gaps(words.large, { name: file.name, most: longest / 1024 }) });
+  const answer = await asked("entry", about);
   if (answer.error) return complain(answer.error);
   offer(answer.mechanism, answer.entry);
   standing &&= { ...standing, mechanism: null };

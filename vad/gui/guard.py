@@ -22,13 +22,12 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
+from vad.gui.messages import LONGEST
 from vad.gui.said import sayer
 
 #: The names by which the server may be called.  A request under any other name is refused: somebody
 #: may have made that name point at this machine.
 HOSTS = ("127.0.0.1", "localhost")
-#: The longest question, in bytes.
-LONGEST = 16 * 1024
 _FOREIGN = ("cross-site", "same-site")
 #: What answers a ticket: a page that goes on to the window.  A redirection would not do, because a
 #: browser withholds a strict cookie where the redirection follows a file or another site.

@@ -39,6 +39,8 @@ from vad.words import ENGLISH, Language, all_languages
 
 #: The largest picture and the most frames a second that the page saves.
 LARGEST, MOST_FPS = (3840, 2160), 60.0
+#: The longest question, in bytes.
+LONGEST = 16 * 1024
 #: The most further points: the time of a lesson grows with the cube of their number.
 MOST_POINTS = 40
 #: The most loads beside those of a file.
@@ -211,7 +213,7 @@ class Question:
 class EntryQuestion(Question):
     """What can be set of a mechanism, of one that a file describes if there is the file's text."""
 
-    text: str = ""
+    text: str | None = None
 
 
 @dataclass(frozen=True)

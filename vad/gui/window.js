@@ -6,7 +6,7 @@
 const DIGITS = 7; // as many as a box has room for; what is set keeps them all
 const CALM = 260; // milliseconds after the last change, until a lesson is asked for
 const root = document.querySelector(".vad"), find = (selector) => root.querySelector(selector);
-const { start, catalogue, usual, words } = JSON.parse(document.getElementById("data").textContent);
+const { start, catalogue, usual, words, longest } = JSON.parse(document.getElementById("data").textContent);
 const bar = find(".tools"), message = find(".message"), mend = find(".message button"), rail = find(".rail");
 const fields = new Map();
 // What is set; what stands on the page: key and strokes of its program, player, body and dock.

@@ -20,7 +20,7 @@ from vad.errors import one_of
 from vad.files.loading import WrittenMechanism
 from vad.files.sheet_file import sheet_in, sheet_of
 from vad.gui.answers import MEDIA
-from vad.gui.messages import EntryQuestion, ExportQuestion
+from vad.gui.messages import LONGEST, EntryQuestion, ExportQuestion
 from vad.gui.said import label
 from vad.gui.shelf import Shelf
 from vad.kinematics.reach import closing_range
@@ -75,7 +75,8 @@ def window(start: ExportQuestion, nonce: str, head: str = "") -> str:
     entries = {name: entry(kind, code) for name, kind in shelf.own.items()}
     words = {**texts, "point": say.point}
     usual = [name for name, diagram in DIAGRAMS.items() if diagram.usual]
-    data = {"start": opening, "catalogue": entries, "usual": usual, "words": words}
+    data: dict[str, Any] = {"start": opening, "catalogue": entries, "usual": usual, "words": words}
+    data["longest"] = LONGEST
     chosen(start.panels or None)
     return Template(_file("window.html")).substitute(
         {name: escape(text) for name, text in texts.items()},
@@ -133,7 +134,7 @@ def listed(question: EntryQuestion) -> dict[str, Any]:
         For a mechanism that there is not, and for a file that describes none.
     """
     name, given = question.mechanism, dict[str, Any]()
-    if question.text and isinstance(question.kinds, Shelf):
+    if question.text is not None and isinstance(question.kinds, Shelf):
         sheet = sheet_in(question.text, name)
         if sheet:
             name, given = sheet_of(sheet, question.kinds)

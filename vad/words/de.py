@@ -1225,6 +1225,7 @@ WINDOW = {
     "retry": "Noch einmal",
     "try": "nimm {values}",
     "stopped": "vad gui ist beendet. Starte es im Terminal neu.",
+    "large": "{name} ist zu groß: Das Fenster öffnet Dateien von weniger als {most} kB.",
     "examples": "Beispiele",
     "turn": "Umlauf",
     "problem": "Aufgabenblatt",

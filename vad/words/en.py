@@ -1087,6 +1087,7 @@ WINDOW = {
     "retry": "Try again",
     "try": "try {values}",
     "stopped": "vad gui has stopped. Start it again in the terminal.",
+    "large": "{name} is too large: the window opens files of less than {most} kB.",
     "examples": "Examples",
     "turn": "Turn",
     "problem": "Problem sheet",

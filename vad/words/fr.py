@@ -1210,6 +1210,7 @@ WINDOW = {
     "retry": "Réessayer",
     "try": "essayer {values}",
     "stopped": "vad gui est arrêté. Relancez-le dans le terminal.",
+    "large": "{name} est trop grand : la fenêtre ouvre des fichiers de moins de {most} ko.",
     "examples": "Exemples",
     "turn": "Tour",
     "problem": "Énoncé",
