@@ -38,12 +38,13 @@ function railed(root, body, dock) {
     slider.style.setProperty("--notch", clamp((start - low) / (high - low), 0, 1));
     const made = element("div", { className: "size" }, label, box, element("span", { className: "unit", textContent: unit }), slider);
     // Most of a mechanism's numbers stay while its driver moves.
-    let shown = "";
+    let shown = "", refused = false;
+    const marked = (wrong) => { box.ariaInvalid = (refused = wrong) ? "true" : null; };
     const show = () => {
       // What was refused stays until something else is done.
-      const past = box.ariaInvalid && !dock.faulty, typing = document.activeElement === box && !past;
+      const past = refused && !dock.faulty, typing = document.activeElement === box && !past;
       const says = written(tidy(state[index], step)), now = `${state[index]} ${typing ? box.value : says}`;
-      if (past) box.ariaInvalid = null;
+      if (past) marked(false);
       else if (now === shown) return;
       shown = now;
       slider.value = state[index];
@@ -59,18 +60,18 @@ function railed(root, body, dock) {
       show();
       const [asked, kept] = [value, state[index]].map((each) => written(tidy(each, step)));
       const active = box === document.activeElement;
-      box.ariaInvalid = active && said ? "true" : null;
+      marked(active && said !== "");
       if (said) dock.fault(filled(words[said], { name: label.textContent, place: `${asked} ${unit}`, value: `${kept} ${unit}` }));
       else if (active) box.value = asked;
     };
     const typed = () => {
       const value = dock.read(box.value, unit), [word, ...ends] = value === null ? ["no-number"] : body.refused(index, value);
-      box.ariaInvalid = null;
+      marked(false);
       if (!word || (word === "beyond" && dock.beyond)) return change(value);
       dock.begin();
       const [least, most] = ends.map((each) => written(tidy(each, step)));
       dock.fault(filled(words[word], { name: label.textContent, value: box.value || "–", low: least, high: most, unit }));
-      box.ariaInvalid = "true";
+      marked(true);
     };
     slider.addEventListener("input", () => change(Math.round(slider.value / step) * step));
     slider.addEventListener("change", dock.commit);
@@ -78,7 +79,7 @@ function railed(root, body, dock) {
     box.addEventListener("change", typed);
     box.addEventListener("keydown", (event) => {
       if (event.key !== "Escape") return;
-      box.ariaInvalid = null;
+      marked(false);
       box.blur();
       show();
       event.stopPropagation();
