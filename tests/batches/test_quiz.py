@@ -187,6 +187,17 @@ def test_each_figure_asks_for_what_it_finds_and_gives_what_it_needs_once(tmp_pat
         assert told.count("θ₂") == 1 and told.count("ω₂") <= 1
 
 
+def test_a_question_gives_what_bodies_bear(tmp_path):
+    file = tmp_path / "sheets.toml"
+    file.write_text(
+        '[sheet]\nmechanism = "slider-crank"\nload = "800 N @ 180 at C"\nmass = "slider 0.5 kg"\n'
+        'gravity = 9.81\nfriction = "slider 0.1"\npanels = "position"\nask = "drive"\n'
+    )
+    (made,) = vad.quiz(file, tmp_path / "bank.xml")
+    told = "P = 800 N, W₄ = 4.905 N, m₄ = 0.5 kg at C, g = 9.81 m/s², μ₄ = 0.1. Find"
+    assert f"α₂ = 0 rad/s², {told}" in made.task
+
+
 def test_a_sheet_from_which_nothing_is_found_is_refused(tmp_path):
     file = tmp_path / "sheets.toml"
     file.write_text('[sheet]\nmechanism = "four-bar"\npanels = ["position"]\n')

@@ -201,6 +201,21 @@ def test_a_task_says_what_is_given_drawn_and_found() -> None:
     assert "find ω3, α3, ω4 and α4." in said.replace("\xa0", " ")
 
 
+def test_a_task_gives_the_rates_and_all_that_bears_upon_forces() -> None:
+    at_g = {"rod": {"mass": 0.8, "at": "G", "inertia": 0.001}, "slider": 0.5}
+    motion = vad.solve(vad.SliderCrank(points={"G": ("rod", 50)}), omega=100)
+    found = vad.forces(motion, ["800 N @ 180 at C", "2 N m on rod"], at_g, 9.81, {"slider": 0.1})
+    asked = ("acceleration", "force", "drive")
+    first, *shorter = ("".join(each.text for each in form) for form in task(vad.draw(found), asked))
+    bodies = (
+        "m₃ = 0.8 kg at G, I₃ = 0.001 kg·m² about G, m₄ = 0.5 kg at C, g = 9.81 m/s² and μ₄ = 0.1."
+    )
+    assert "Given: θ₂ = 60°, ω₂ = 100 rad/s, α₂ = 0 rad/s², P = 800 N, W₃ = 7.848 N, W₄" in first
+    assert bodies in first
+    for each in shorter:  # the rest stands in the table
+        assert "ω₂ = 100 rad/s, W₄ = 4.905 N, " in each and bodies in each
+
+
 def test_a_task_has_the_dimensions_for_which_the_title_has_no_room() -> None:
     sheet = vad.draw(vad.solve(vad.load(example_path("beam-engine"))()), language="fr")
     board = posed(sheet, blank=ASKED)
@@ -215,7 +230,9 @@ def test_a_task_asks_for_nothing_twice() -> None:
     sheet = vad.draw(vad.solve(vad.FourBar()), panels=("turned", "velocity"))
     (first, *_) = task(sheet, ["turned"])
     said = "".join(piece.text for piece in first)
-    assert said.startswith("Given: ω₂ = 10 rad/s. Draw the turned velocities to the given scale")
+    assert said.startswith(
+        "Given: θ₂ = 60° and ω₂ = 10 rad/s. Draw the turned velocities to the given scale"
+    )
     assert said.count("ω₃") == said.count("ω₄") == 1
 
 

@@ -25,18 +25,16 @@ from vad.kinematics.motion import Motion
 from vad.statics.forces import DRIVE, FORCE, Forces, given_burden
 from vad.strokes.description import parameters
 from vad.strokes.diagram import ORDERS
-from vad.strokes.draw import usual_of
+from vad.strokes.given import FIGURES, given
 from vad.strokes.sheet import Sheet
 from vad.units import scene_unit
 from vad.words import Gap, Language, text_of
-from vad.written import base_name, sign, with_unit
+from vad.written import base_name, sign
 
 #: The pictures of a question in pixels: readable beside the text of a platform.
 SIZE = (1024, 576)
 #: A result that is small beside the largest of its kind is drawn no better than so much of that.
 _LEAST_SHARE = 0.1
-#: The figures upon the mechanism from which rates of an order follow.
-_FIGURES = {1: ("centres", "klein", "turned"), 2: ("klein",)}
 #: The ends of the names of results of each order.
 _ENDINGS = (
     (".angle", ".position"),
@@ -123,15 +121,15 @@ def _questions(job: Job) -> Iterator[Question]:
         found = _values(motion, forces, sheet, asked)
     problem = _png(numbered, style, blank)
     key, title = _png(numbered, style, ()), f"{sheet.title} · {job.label}"
-    known = ", ".join(dict.fromkeys(_given(sheet, motion, forces, asked)))
-    given = language.say("quiz given", title=sheet.title, given=known)
+    known = ", ".join(dict.fromkeys(_given(sheet, motion, asked)))
+    told = language.say("quiz given", title=sheet.title, given=known)
     for result, (phrase, unit, value) in found.items():
         kind = result.rpartition(".")[2]
         largest = max(abs(each) for name, (*_, each) in found.items() if name.endswith(kind))
         yield Question(
             name=f"{job.recipe.mechanism.removesuffix('.toml')} {job.label} {result}",
             category=sheet.title,
-            task=f"{given} {_find(language, phrase, *_owners(motion, result), unit, motion)}",
+            task=f"{told} {_find(language, phrase, *_owners(motion, result), unit, motion)}",
             picture=problem,
             key=key,
             title=title,
@@ -152,10 +150,8 @@ def _png(sheet: Sheet, style: str | None, blank: tuple[str, ...]) -> bytes:
         return path.read_bytes()
 
 
-def _given(
-    sheet: Sheet, motion: Motion, forces: Forces[Any, Any, Any] | None, asked: tuple[str, ...]
-) -> Iterator[str]:
-    """Yield the dimensions, and the driver's place and rates, as the sheet writes them.
+def _given(sheet: Sheet, motion: Motion, asked: tuple[str, ...]) -> Iterator[str]:
+    """Yield the dimensions and what else is given, as the sheet writes them.
 
     The numbers of masses and cylinders have the name of theirs: m_A, r_A.
     """
@@ -165,21 +161,9 @@ def _given(
             yield f"{symbol} = {sheet.notation.quantity(size, unit, given=True)}"
         yield f"ω = {sheet.notation.quantity(float(motion.inputs['omega']), 'rad/s')}"
         return
-    panels = {panel.name for panel in sheet.panels} | set(usual_of(forces) if forces else ())
-    most = 0
-    for order in ORDERS:
-        shown = panels & {order.panel, *_FIGURES.get(order.number, ())}
-        if shown or any(name.endswith(_ENDINGS[order.number]) for name in asked):
-            most = order.number
-    orders = [order.panel for order in ORDERS[: most + 1]]
-    moving = vad.draw(motion, panels=orders, language=sheet.language)
-    for part, names in ((moving, orders), (sheet, ["force"])):
-        for panel in names:
-            for row in part.rows:
-                for cell in row.cells.get(panel, ()):
-                    if cell.given:
-                        value = with_unit(*part.notation.cell(cell.value, cell.unit, given=True))
-                        yield f"{cell.symbol} = {value}"
+    further = [o.panel for o in ORDERS if any(n.endswith(_ENDINGS[o.number]) for n in asked)]
+    further += [DRIVE for name in asked if name == DRIVE or name.endswith(FORCE)]
+    yield from map(text_of, given(sheet, further))
 
 
 def _of_rotor(motion: Motion) -> Iterator[tuple[str, float, str]]:
@@ -216,7 +200,7 @@ def _usual(
     links = [name for name in motion.links if name not in motion.solver.bodies]
     for order in ORDERS:
         drawn = order.panel in blank
-        figures = [name for name in _FIGURES.get(order.number, ()) if name in blank]
+        figures = [name for name in FIGURES.get(order.number, ()) if name in blank]
         for owners, quantity in ((links, order.rate), (motion.slides, order.panel)):
             for name in owners:
                 if name != driven and (drawn or _finds(sheet, figures, name)):

@@ -14,6 +14,7 @@ from vad.strokes.arithmetic import Figure, Terms, product, total
 from vad.strokes.construct import construct
 from vad.strokes.diagram import Drawing
 from vad.strokes.force_captions import NEWTON, ForceCaptions
+from vad.strokes.force_names import MOST_LOADS
 from vad.strokes.power import check_by_power
 from vad.strokes.sentences import Listed, Sentence, SentencePart, Unit
 from vad.strokes.sheet import (
@@ -59,7 +60,7 @@ def drive_cells(scene: Any, key: str, slides: bool) -> tuple[Cell, ...]:
     """
     if key == LOADS:
         couples: tuple[Cell, ...] = scene.force_names.given_couples
-        return couples
+        return couples[:MOST_LOADS]  # captions say them all
     forces = scene.force_names.forces
     if key != scene.driver.name or slides is (scene.driver.kind == "angle"):
         return ()

@@ -31,7 +31,7 @@ SYMBOLS = {
 #: The primes of forces that are due to the first, second and third load alone.
 PRIMES = "", PRIME, "\N{DOUBLE PRIME}", "\N{TRIPLE PRIME}"
 #: The most loads in the table of results.
-MOST = 2
+MOST_LOADS = 2
 
 
 class Couple(NamedTuple):
@@ -313,20 +313,24 @@ class ForceNames(BodyNames):
 
     @property
     def given_couples(self) -> tuple[Cell, ...]:
-        """The cells of the couples that are given as loads; captions say them all."""
+        """The cells of the couples that are given as loads."""
         unit = self.forces.moment_unit
         given = [each for each in self.couples if each.kind == "couple"]
         cells = [Cell(self.couple(each), each.value, unit, given=True) for each in given]
-        return tuple(cells[:MOST])
+        return tuple(cells)
+
+    @property
+    def given_loads(self) -> tuple[Cell, ...]:
+        """The cells of the forces and weights, in the order in which they were given."""
+        given = [each for each in self.loads if each.kind in ("force", "weight")]
+        given.sort(key=self._order)
+        mine = dict.fromkeys((self.load(each), abs(each.force)) for each in given)
+        return tuple(Cell(symbol, size, "N", given=True) for symbol, size in mine)
 
     def cells(self, key: str) -> tuple[Cell, ...]:
         """Return the cells of a row of the results."""
         if key == LOADS:
-            given = [each for each in self.loads if each.kind in ("force", "weight")]
-            given.sort(key=self._order)
-            mine = dict.fromkeys((self.load(each), abs(each.force)) for each in given)
-            cells = [Cell(symbol, size, "N", given=True) for symbol, size in mine]
-            return tuple(cells[:MOST])  # captions say them all
+            return self.given_loads[:MOST_LOADS]  # captions say them all
         from vad.statics.dyads import outer_forces  # most drawings have none
 
         return tuple(

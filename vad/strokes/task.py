@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from vad import gate
+from vad.strokes.given import Pieces, given, phrased, tabled
 from vad.strokes.sheet import Cell, Sheet
-from vad.words import Gap, Language, TextPiece
-from vad.written import with_unit
+from vad.words import Language, TextPiece
 
 #: The most letters of a task of one's own; a page may have room for fewer.
 LONGEST = 400
-
-Pieces = tuple[TextPiece, ...]
 
 
 def checked(name: str, text: object) -> str:
@@ -30,8 +28,8 @@ def task(sheet: Sheet, blank: Collection[str], more: Sequence[Pieces] = ()) -> t
     """Return the task in words, the longest form first.
 
     The longest one begins with the values that are given, and with ``more`` dimensions, for which
-    the title has no room.  The next ones leave out the values, for they stand in the table, too,
-    and refer to the drawing for such dimensions.  The last one leaves out what is to be found.
+    the title has no room.  The next ones leave out the values that stand in the table, too, and
+    refer to the drawing for such dimensions.  The last one leaves out what is to be found.
     """
     language = Language(sheet.language)
     panels = [panel for panel in sheet.panels if panel.name in blank]
@@ -39,26 +37,23 @@ def task(sheet: Sheet, blank: Collection[str], more: Sequence[Pieces] = ()) -> t
     named = [_panel(language, panel.name, panel.title) for panel in panels]
     drawn = _listed(language, [(TextPiece(each),) for each in named])
     found = list(dict.fromkeys(_symbol(cell) for cell in cells if not cell.given))
-    short = _phrase(language, "task draw", panels=drawn)
+    short = phrased(language, "task draw", panels=drawn)
     asked = _listed(language, found)
-    middle = _phrase(language, "task", panels=drawn, found=asked) if found else short
-    given = [
-        (*_symbol(cell), TextPiece(f" = {with_unit(*_number(sheet, cell))}"))
-        for row in sheet.rows
-        for each in row.cells.values()
-        for cell in each
-        if cell.given
-    ]
-    given = list(dict.fromkeys(given))
+    middle = phrased(language, "task", panels=drawn, found=asked) if found else short
+    listed, every = tabled(sheet), list(dict.fromkeys([*given(sheet), *tabled(sheet)]))
     parts: list[list[Pieces]] = [[middle], [short]]
     if more:
-        measured = _phrase(language, "task measure")
+        measured = phrased(language, "task measure")
         parts = [[measured, middle], [measured, short], *parts]
-        further = _phrase(language, "task more", given=_listed(language, more))
+        further = phrased(language, "task more", given=_listed(language, more))
         parts.insert(0, [further, middle])
-    if given:
-        values = _phrase(language, "task given", given=_listed(language, given))
-        parts.insert(0, [values, *parts[0]])
+    first, untabled = parts[0], [each for each in every if each not in listed]
+    if untabled:
+        values = phrased(language, "task given", given=_listed(language, untabled))
+        parts = [[values, *each] for each in parts]
+    if listed:
+        values = phrased(language, "task given", given=_listed(language, every))
+        parts.insert(0, [values, *first])
     return tuple(map(_joined, parts))
 
 
@@ -79,19 +74,8 @@ def _panel(language: Language, name: str, title: str) -> str:
         return title
 
 
-def _number(sheet: Sheet, cell: Cell) -> tuple[str, str]:
-    return sheet.notation.cell(cell.value, cell.unit, given=True)
-
-
 def _symbol(cell: Cell) -> Pieces:
     return (TextPiece(cell.symbol, "symbol"),)
-
-
-def _phrase(language: Language, phrase: str, **parts: Pieces) -> Pieces:
-    found: list[TextPiece] = []
-    for each in language.template(phrase):
-        found += parts[each.name] if isinstance(each, Gap) else (each,)
-    return tuple(found)
 
 
 def _listed(language: Language, items: Sequence[Pieces]) -> Pieces:
@@ -100,4 +84,4 @@ def _listed(language: Language, items: Sequence[Pieces]) -> Pieces:
     for item in items[:-1]:
         first += [TextPiece(", ")] if first else []
         first += item
-    return _phrase(language, "and", first=tuple(first), last=items[-1]) if first else items[-1]
+    return phrased(language, "and", first=tuple(first), last=items[-1]) if first else items[-1]

@@ -16,6 +16,8 @@ PHRASES = {
     "task": "Zeichnen Sie {panels} im angegebenen Maßstab und bestimmen Sie {found}.",
     "task draw": "Zeichnen Sie {panels} im angegebenen Maßstab.",
     "task given": "Gegeben: {given}.",
+    "given inertia": "{size} in {point}",
+    "given spin": "{size} um {point}",
     "task position": "den Lageplan",
     "task velocity": "den Geschwindigkeitsplan",
     "task acceleration": "den Beschleunigungsplan",

@@ -27,6 +27,8 @@ PHRASES = {
     "task": "Draw {panels} to the given scale, and find {found}.",
     "task draw": "Draw {panels} to the given scale.",
     "task given": "Given: {given}.",
+    "given inertia": "{size} at {point}",
+    "given spin": "{size} about {point}",
     "task position": "the mechanism",
     "task velocity": "the velocity polygon",
     "task acceleration": "the acceleration polygon",

@@ -16,6 +16,8 @@ PHRASES = {
     "task": "Tracer {panels} à l’échelle indiquée et trouver {found}.",
     "task draw": "Tracer {panels} à l’échelle indiquée.",
     "task given": "Données : {given}.",
+    "given inertia": "{size} en {point}",
+    "given spin": "{size} autour de {point}",
     "task position": "le mécanisme",
     "task velocity": "le polygone des vitesses",
     "task acceleration": "le polygone des accélérations",
