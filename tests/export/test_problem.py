@@ -216,6 +216,16 @@ def test_a_task_gives_the_rates_and_all_that_bears_upon_forces() -> None:
         assert "ω₂ = 100 rad/s, W₄ = 4.905 N, " in each and bodies in each
 
 
+def test_the_numbers_of_a_shaft_have_the_names_of_its_masses() -> None:
+    sheet = vad.draw(vad.solve(vad.load(example_path("shaft-two-planes"))()))
+    first, *_, last, _ = (
+        "".join(each.text for each in form) for form in task(sheet, ["couple", "force"])
+    )
+    assert "m_A = 200 kg, r_A = 80 mm, θ_A = 0°, l_A = 0 mm, m_B = 300 kg" in first
+    assert "m_D = 200 kg, r_D = 80 mm" in first and "and find M_X, mr_X, M_Y and mr_Y." in first
+    assert "Given: r_A = 80 mm, l_A = 0 mm, r_B = 70 mm" in last
+
+
 def test_a_task_has_the_dimensions_for_which_the_title_has_no_room() -> None:
     sheet = vad.draw(vad.solve(vad.load(example_path("beam-engine"))()), language="fr")
     board = posed(sheet, blank=ASKED)

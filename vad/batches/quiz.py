@@ -42,8 +42,6 @@ _ENDINGS = (
     (".alpha", ".acceleration", ".coriolis"),
 )
 _OF_POINTS = ("velocity", "acceleration")
-#: The letters of the numbers of a mass on a shaft, and of a cylinder.
-_SYMBOLS = {"mass": "m", "radius": "r", "angle": "θ", "plane": "l", "crank": "φ", "line": "ψ"}
 
 
 def quiz(
@@ -121,7 +119,7 @@ def _questions(job: Job) -> Iterator[Question]:
         found = _values(motion, forces, sheet, asked)
     problem = _png(numbered, style, blank)
     key, title = _png(numbered, style, ()), f"{sheet.title} · {job.label}"
-    known = ", ".join(dict.fromkeys(_given(sheet, motion, asked)))
+    known = ", ".join(dict.fromkeys(_given(sheet, asked)))
     told = language.say("quiz given", title=sheet.title, given=known)
     for result, (phrase, unit, value) in found.items():
         kind = result.rpartition(".")[2]
@@ -150,38 +148,12 @@ def _png(sheet: Sheet, style: str | None, blank: tuple[str, ...]) -> bytes:
         return path.read_bytes()
 
 
-def _given(sheet: Sheet, motion: Motion, asked: tuple[str, ...]) -> Iterator[str]:
-    """Yield the dimensions and what else is given, as the sheet writes them.
-
-    The numbers of masses and cylinders have the name of theirs: m_A, r_A.
-    """
+def _given(sheet: Sheet, asked: tuple[str, ...]) -> Iterator[str]:
+    """Yield the dimensions and what else is given, as the sheet writes them."""
     yield from map(text_of, parameters(sheet))
-    if motion.mechanism.is_rotor:
-        for symbol, size, unit in _of_rotor(motion):
-            yield f"{symbol} = {sheet.notation.quantity(size, unit, given=True)}"
-        yield f"ω = {sheet.notation.quantity(float(motion.inputs['omega']), 'rad/s')}"
-        return
     further = [o.panel for o in ORDERS if any(n.endswith(_ENDINGS[o.number]) for n in asked)]
     further += [DRIVE for name in asked if name == DRIVE or name.endswith(FORCE)]
     yield from map(text_of, given(sheet, further))
-
-
-def _of_rotor(motion: Motion) -> Iterator[tuple[str, float, str]]:
-    """Yield the numbers of masses, cylinders and wheels: their symbols, values and units."""
-    length = motion.mechanism.length_unit
-    units = {"mass": "kg", "radius": length, "plane": length}
-    numbers = motion.mechanism.parameters()
-    for name, number in numbers.items():
-        letter, _, what = name.rpartition("_")
-        if what in _SYMBOLS and name != "balance_radius" and letter:
-            yield f"{_SYMBOLS[what]}_{letter}", number, units.get(what, "°")
-    locomotive = getattr(motion.mechanism.balancing(motion), "locomotive", None)
-    if locomotive:
-        yield "c", locomotive.share, ""
-        yield "m", locomotive.rotating, "kg"
-        yield "r", locomotive.balance_radius, length
-        for wheel, plane in zip(locomotive.names, locomotive.wheels, strict=True):
-            yield f"l_{wheel}", plane, length
 
 
 def _usual(

@@ -227,7 +227,7 @@ def _move(lesson: Lesson) -> list[float]:
 def turned_board(lesson: Lesson) -> HandBoard | None:
     """Return the board on which a lesson's mechanism is turned; None where it cannot be."""
     sheet = lesson.sheet
-    if not sheet.source:
+    if not sheet.source or sheet.source.mechanism.is_rotor:
         return None
     names, form = [panel.name for panel in sheet.panels], screen(SIZE)
     if not all(DIAGRAMS[name].by_hand for name in names if name in DIAGRAMS):

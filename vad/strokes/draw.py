@@ -214,9 +214,7 @@ def sheet_of(scene: AnyScene, panels: Sequence[str]) -> Sheet:
         notation=notation,
         names=mechanism.own_names,
         driver=driver_of(scene.driver.name, scene.driver.kind == "angle", clean, drawn),
-        source=None
-        if mechanism.is_rotor
-        else Source(
+        source=Source(
             mechanism,
             dict(motion.inputs),
             forces.burden if forces else None,

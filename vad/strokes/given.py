@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from dataclasses import replace
+from typing import Any
 
-from vad.kinematics.motion import solve
+from vad.kinematics.motion import Motion, solve
 from vad.strokes.diagram import ORDERS
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import OF_FORCES, parted, scene_of, usual_of, with_forces
 from vad.strokes.force_names import ForceNames
 from vad.strokes.scene import Scene
-from vad.strokes.sheet import Cell, Sheet
+from vad.strokes.sheet import Cell, Row, Sheet
 from vad.words import Gap, Language, TextPiece
 from vad.written import subscript, with_unit
 
@@ -18,6 +20,8 @@ Pieces = tuple[TextPiece, ...]
 
 #: The figures upon the mechanism from which rates of an order follow.
 FIGURES: Mapping[int, tuple[str, ...]] = {1: ("centres", "klein", "turned"), 2: ("klein",)}
+#: The letters of the numbers of a mass on a shaft, and of a cylinder.
+_SYMBOLS = {"mass": "m", "radius": "r", "angle": "θ", "plane": "l", "crank": "φ", "line": "ψ"}
 
 
 def given(sheet: Sheet, panels: Collection[str] = ()) -> list[Pieces]:
@@ -29,6 +33,10 @@ def given(sheet: Sheet, panels: Collection[str] = ()) -> list[Pieces]:
         return tabled(sheet)
     mechanism, inputs, burden, _ = sheet.source
     motion, forces = parted(with_forces(solve(mechanism, **inputs), burden))
+    if mechanism.is_rotor:
+        rows = [row for row in sheet.rows if row.key == sheet.driver.row]
+        place = [c for row in rows for cells in row.cells.values() for c in cells if c.given]
+        return [_written(sheet, cell) for cell in (*_of_rotor(motion), *place)]
     needed = {half.name for half in sheet.halves} | {*panels}
     loaded = needed & {*OF_FORCES[1:]}
     if forces and loaded:
@@ -48,8 +56,34 @@ def given(sheet: Sheet, panels: Collection[str] = ()) -> list[Pieces]:
 
 def tabled(sheet: Sheet) -> list[Pieces]:
     """Return what is given in the table of a sheet, each once."""
-    cells = [cell for row in sheet.rows for each in row.cells.values() for cell in each]
-    return list(dict.fromkeys(_written(sheet, cell) for cell in cells if cell.given))
+    named = [own for row in sheet.rows for each in row.cells.values() for own in owned(row, each)]
+    return list(dict.fromkeys(_written(sheet, cell) for cell in named if cell.given))
+
+
+def owned(row: Row, cells: Iterable[Cell]) -> Iterator[Cell]:
+    """Yield cells of a row; those of a mass on a shaft, and of a cylinder, have its name: m_A."""
+    for cell in cells:
+        own = f"{cell.symbol}_{row.letters}" if row.key == row.letters else ""
+        yield replace(cell, symbol=own or cell.symbol)
+
+
+def _of_rotor(motion: Motion[Any, Any, Any]) -> Iterator[Cell]:
+    """Yield the numbers of masses, cylinders and wheels with their names: m_A, r_A."""
+    length = motion.mechanism.length_unit
+    units = {"mass": "kg", "radius": length, "plane": length}
+    numbers = motion.mechanism.parameters()
+    for name, number in numbers.items():
+        letter, _, what = name.rpartition("_")
+        if what in _SYMBOLS and name != "balance_radius" and letter:
+            yield Cell(f"{_SYMBOLS[what]}_{letter}", number, units.get(what, "°"), given=True)
+    locomotive = getattr(motion.mechanism.balancing(motion), "locomotive", None)
+    if locomotive:
+        yield Cell("c", locomotive.share, "", given=True)
+        yield Cell("m", locomotive.rotating, "kg", given=True)
+        yield Cell("r", locomotive.balance_radius, length, given=True)
+        for wheel, plane in zip(locomotive.names, locomotive.wheels, strict=True):
+            yield Cell(f"l_{wheel}", plane, length, given=True)
+    yield Cell("ω", float(motion.inputs["omega"]), "rad/s", given=True)
 
 
 def _of_bodies(sheet: Sheet, names: ForceNames) -> Iterator[Pieces]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from vad import gate
-from vad.strokes.given import Pieces, given, phrased, tabled
+from vad.strokes.given import Pieces, given, owned, phrased, tabled
 from vad.strokes.sheet import Cell, Sheet
 from vad.words import Language, TextPiece
 
@@ -33,14 +33,19 @@ def task(sheet: Sheet, blank: Collection[str], more: Sequence[Pieces] = ()) -> t
     """
     language = Language(sheet.language)
     panels = [panel for panel in sheet.panels if panel.name in blank]
-    cells = [cell for row in sheet.rows for p in panels for cell in row.cells.get(p.name, ())]
+    cells = [
+        cell
+        for row in sheet.rows
+        for panel in panels
+        for cell in owned(row, row.cells.get(panel.name, ()))
+    ]
     named = [_panel(language, panel.name, panel.title) for panel in panels]
     drawn = _listed(language, [(TextPiece(each),) for each in named])
     found = list(dict.fromkeys(_symbol(cell) for cell in cells if not cell.given))
     short = phrased(language, "task draw", panels=drawn)
     asked = _listed(language, found)
     middle = phrased(language, "task", panels=drawn, found=asked) if found else short
-    listed, every = tabled(sheet), list(dict.fromkeys([*given(sheet), *tabled(sheet)]))
+    listed, every = tabled(sheet), list(dict.fromkeys(given(sheet)))
     parts: list[list[Pieces]] = [[middle], [short]]
     if more:
         measured = phrased(language, "task measure")
