@@ -106,3 +106,17 @@ def test_the_velocities_of_what_goes_round_are_never_cut() -> None:
     assert fast(vad.FourBar(crank=130), panels) == -1  # it swings: at its ends rates have no end
     assert fast(vad.DoubleSlider(), panels) == -1
     assert fast(vad.CrankSlottedLever(), ["position", "centres"]) == -1
+
+
+@pytest.mark.parametrize("mechanism", [vad.SliderCrank(), vad.GateActuator(), vad.HookeJoint()])
+def test_what_drives_has_the_symbols_of_the_full_sheet_on_any_page(
+    mechanism: vad.Mechanism,
+) -> None:
+    def symbols(panels: tuple[str, ...] | None) -> Any:
+        hand = parts(vad.animate(vad.draw(vad.solve(mechanism), panels))).hand
+        assert hand is not None
+        return hand.data["symbols"]
+
+    every = symbols(None)
+    assert symbols(("position",)) == every
+    assert not {*mechanism.inputs} & {*every}

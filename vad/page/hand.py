@@ -27,7 +27,7 @@ from vad.page.ink import Inker, attributed, when
 from vad.page.large import Large
 from vad.page.outputs import Outputs
 from vad.page.scaled import Scaled, edges
-from vad.page.solved import given, proofs, template
+from vad.page.solved import proofs, template
 from vad.page.solver import solver_data
 from vad.page.spoken import spelled
 from vad.page.ways import ways
@@ -52,7 +52,7 @@ from vad.plan.scale import (
     SHORTEST_BAR,
     SPARE,
 )
-from vad.strokes.diagram import VELOCITY
+from vad.strokes.diagram import ORDERS, VELOCITY
 from vad.strokes.sheet import Sheet
 from vad.words import Language
 from vad.written import THIN_SPACE
@@ -371,7 +371,8 @@ def _described(
         found["forces"] = traced.forces.to_dict()
     closes, rates = proofs(found)
     place, *_ = names = list(board.mechanism.inputs)
-    cells = {cell.unit: cell for cell in given(sheet)}
+    scene = traced.scene
+    slides, key = scene.driver.kind != "angle", scene.driver.name
     kind, length = "slide", board.mechanism.length_unit
     units = [length, f"{length}/s", f"{length}/s²"]
     if place == "angle":
@@ -392,10 +393,7 @@ def _described(
         },
         "turns": kind,
         "turn": said[kind],
-        "symbols": [
-            write(symbols(cells[unit].symbol)) if unit in cells else name
-            for name, unit in zip(names, units, strict=True)
-        ],
+        "symbols": [write(symbols(scene.cells(order, key, slides)[0].symbol)) for order in ORDERS],
         "units": units,
         "readable": readable(length),
         "panels": [panel.title for panel in sheet.panels],

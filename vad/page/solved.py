@@ -6,11 +6,10 @@ of its program wherever a result stands.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from vad.kinematics.traced import Traced
-from vad.strokes.sheet import Cell, Sheet
 
 #: The parts of that object whose numbers follow from the pose.
 RESULTS = ("links", "joints", "points", "slides", "forces")
@@ -61,10 +60,3 @@ def _numbers(value: Any) -> list[float]:
 
 def _traced(numbers: list[float]) -> list[float]:
     return [each for each in numbers if isinstance(each, Traced)]
-
-
-def given(sheet: Sheet) -> Iterator[Cell]:
-    """Yield the cells of what drives the mechanism: its place, and its rates, where stated."""
-    for panel in sheet.panels:
-        cells = (cell for row in sheet.rows for cell in row.cells.get(panel.name, ()))
-        yield from [cell for cell in cells if cell.given][:1]
