@@ -16,7 +16,7 @@ from tests.files.test_wrong_files import WRONG as WRONG_FILES
 from tests.files.test_wrong_files import refused
 from vad.errors import VadError
 from vad.gui.messages import Question
-from vad.gui.said import sayer, translated
+from vad.gui.said import labels, sayer, translated
 from vad.words import ENGLISH, Language, languages
 
 OTHERS = [code for code in languages() if code != ENGLISH]
@@ -122,3 +122,14 @@ def test_a_refusal_speaks_the_language_of_the_browser(stranger: TestClient) -> N
     answer = stranger.get("/", headers=headers)
     assert answer.status_code == 403 and "Öffne die Adresse" in answer.text
     assert "open the address" in stranger.get("/", headers={"accept": "text/html"}).text
+
+
+@pytest.mark.parametrize("code", OTHERS)
+def test_the_numbers_of_an_engine_have_names_in_the_language_of_the_window(code: str) -> None:
+    say, examples = Language(code), Path(vad.__file__).parent / "examples" / "balancing"
+    for path in examples.glob("*.toml"):
+        kind: Any = vad.load(str(path))
+        names = labels(kind, say)
+        assert names.get("radius", say.name("crank")) == say.name("crank"), "no gyration"
+        for name in kind().parameters():
+            assert names[name] != name.replace("_", " "), name

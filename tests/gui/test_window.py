@@ -56,7 +56,7 @@ def test_what_is_set_ends_no_script():
 
 def test_the_numbers_of_loads_and_masses_can_be_set(tmp_path):
     """Each is called by whose it is and what, in the language of the page, and has its unit."""
-    (tmp_path / "press.toml").write_text(PRESS)
+    (tmp_path / "press.toml").write_text(PRESS.replace("inertia = 0.01", "radius = 70"))
     (tmp_path / "card.csv").write_text(CARD)
     boxes = {e["name"]: e for e in entry(vad.load(tmp_path / "press.toml"), "de")["parameters"]}
     wanted = {
@@ -64,6 +64,7 @@ def test_the_numbers_of_loads_and_masses_can_be_set(tmp_path):
         "P_angle": ("P: Winkel", "°", -180.0, 180.0),
         "M": ("M", "N m", -24.0, 24.0),
         "rocker_mass": ("Schwinge: Masse", "kg", 0.0, 4.0),
+        "rocker_radius": ("Schwinge: Trägheitsradius", "mm", 0.0, 140.0),
         "ram_friction": ("Stößel: Reibung", "", 0.0, 0.2),
     }
     for name, found in wanted.items():

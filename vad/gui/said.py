@@ -10,13 +10,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import Field, fields
+from dataclasses import fields
 from functools import lru_cache, reduce
 from string import Formatter
-from typing import Any
 
 from vad.mechanisms import Mechanism
-from vad.units import DIMENSIONS
+from vad.strokes.parameter_names import parameter_name
 from vad.words import Language, all_languages
 
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
@@ -30,20 +29,12 @@ _CODE = ("example", "examples", "last", "line", "table")
 _LINE = re.compile(r".+, line \d+")
 
 
-def label(field: Field[Any], say: Language) -> str:
-    """Return what a parameter is called: of a load or a mass, whose it is and what."""
-    owner, _, what = field.name.rpartition("_")
-    if field.metadata["quantity"] in DIMENSIONS or not owner:
-        return say.name(field.name)
-    return say.name(owner) + say.say("colon") + say.name(what)
-
-
 def labels(kind: type[Mechanism] | None, say: Language) -> dict[str, str]:
     """Return what the parameters and the inputs of a mechanism are called."""
     if kind is None:
         return {}
     inputs = {name: say.page("WINDOW")[name] for name in (*kind.inputs, "assembly")}
-    return {field.name: label(field, say) for field in fields(kind)} | inputs
+    return {each.name: parameter_name(kind, each.name, say) for each in fields(kind)} | inputs
 
 
 def translated(sentence: str, names: Mapping[str, str], say: Language) -> str:

@@ -21,7 +21,6 @@ from vad.files.loading import WrittenMechanism
 from vad.files.sheet_file import sheet_in, sheet_of
 from vad.gui.answers import MEDIA
 from vad.gui.messages import LONGEST, EntryQuestion, ExportQuestion
-from vad.gui.said import label
 from vad.gui.shelf import Shelf
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
@@ -31,8 +30,9 @@ from vad.page.themed import themes
 from vad.painting.svg_text import FACES, Faces
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import chosen
+from vad.strokes.parameter_names import is_borne, parameter_name
 from vad.style import load_style
-from vad.units import DIMENSIONS, scene_unit
+from vad.units import scene_unit
 from vad.words import Language, all_languages
 from vad.written import LOW
 
@@ -172,8 +172,14 @@ def entry(kind: type[Mechanism], language: str) -> dict[str, Any]:
         "name": kind.name,
         "unit": unit,
         "parameters": [
-            _box(each.name, label(each, say), each.metadata["quantity"], unit, each.default)
-            | _slider(each, longest)
+            _box(
+                each.name,
+                parameter_name(kind, each.name, say),
+                each.metadata["quantity"],
+                unit,
+                each.default,
+            )
+            | _slider(kind, each, longest)
             for each in numbers
         ],
         "inputs": [
@@ -200,12 +206,14 @@ def _box(name: str, label: str, quantity: str, unit: str, default: Any) -> dict[
     return {"name": name, "label": label, "unit": written, "default": default}
 
 
-def _slider(field: dataclasses.Field[Any], longest: float) -> dict[str, float]:
+def _slider(
+    kind: type[Mechanism], field: dataclasses.Field[Any], longest: float
+) -> dict[str, float]:
     """Return the ends of a parameter's slider, and its step."""
     if field.metadata["quantity"] in ("angle", "direction"):
         return _ends(*_HALF, 1.0)
     default: Any = field.default
-    if field.metadata["quantity"] not in DIMENSIONS:  # of a load or a mass
+    if is_borne(kind, field.name):
         usual = 2.0 * abs(default or 1.0)
         lowest = -usual if field.metadata["quantity"] in ("force", "couple") else 0.0
         return _ends(lowest, usual, _step(usual))

@@ -53,6 +53,7 @@ from vad.plan.scale import (
     SPARE,
 )
 from vad.strokes.diagram import ORDERS, VELOCITY
+from vad.strokes.parameter_names import parameter_name
 from vad.strokes.sheet import Sheet
 from vad.words import Language
 from vad.written import THIN_SPACE
@@ -388,7 +389,7 @@ def _described(
         "solved": template(found, board.mechanism.parameters(), outputs.of),
         "dimensions": list(dimensions(board, names)),
         "names": {
-            name: Language(sheet.language, sheet.names).name(name)
+            name: parameter_name(type(board.mechanism), name, Language(sheet.language, sheet.names))
             for name in board.mechanism.dimensions()
         },
         "turns": kind,

@@ -20,6 +20,7 @@ from vad.strokes.diagram import ACCELERATION, VELOCITY, Drawing, Order
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.finishing import canonical, finished, without_noise
 from vad.strokes.notation import Notation, in_metres
+from vad.strokes.parameter_names import is_borne, word_of
 from vad.strokes.pin_rows import with_pins
 from vad.strokes.polygon import polygon
 from vad.strokes.scene import Scene
@@ -34,7 +35,6 @@ from vad.strokes.sheet import (
     driver_of,
 )
 from vad.strokes.titling import own_titles
-from vad.units import DIMENSIONS
 from vad.words import Language
 
 if TYPE_CHECKING:
@@ -299,13 +299,12 @@ def parameters_of(mechanism: Mechanism, language: str) -> Named:
         metadata = plain.__dataclass_fields__[name].metadata
         if name.endswith(_TWIST) or (mechanism.is_rotor and "_" in name):
             continue  # it follows its length, or is that of a mass, which stands in the table
-        if metadata["quantity"] not in DIMENSIONS:
-            continue  # it belongs to a load or a mass
+        if is_borne(plain, name):
+            continue
         if metadata["quantity"] != "angle":
-            key = "crank" if mechanism.is_rotor and name == "radius" else name
             shown.append(
                 (
-                    called(key, voice),
+                    called(word_of(plain, name), voice),
                     value,
                     unit if metadata.get("measures", metadata["quantity"]) == "length" else "",
                 )

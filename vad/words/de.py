@@ -1003,8 +1003,23 @@ NAMES = {
     "ground_twist": "Kreuzungswinkel",
     "crank_offset": "Kurbelversatz",
     "rocker_offset": "Schwingenversatz",
+    "ratio": "Verhältnis",
+    "coupled": "gekuppelte Achsen",
+    "reference": "Bezugsebene",
+    "rotating": "umlaufende Masse",
+    "balance_radius": "Ausgleichsradius",
+    "wheel_diameter": "Raddurchmesser",
+    "wheel_load": "Radlast",
+    "coupling": "Kuppelmasse",
+    "coupling_radius": "Radius der Kuppelzapfen",
+    "coupling_angle": "Winkel der Kuppelzapfen",
     "{}_angle": "Winkel {}",
     "{}_offset": "Versatz {}",
+    "{}_mass": "Masse {}",
+    "{}_radius": "Radius {}",
+    "{}_crank": "Kurbelwinkel {}",
+    "{}_plane": "Ebene {}",
+    "{}_line": "Zylinderwinkel {}",
 }
 
 #: Das Geschlecht dessen, wovon Sätze sprechen.

@@ -900,6 +900,7 @@ PHRASES = {
 #: Names of mechanisms, diagrams, links, slides and parameters that differ from the program's own.
 NAMES = {
     "engine_cylinder": "cylinder",
+    "coupled": "coupled axles",
     "guide_a": "guide A",
     "guide_b": "guide B",
     "driving": "driving shaft",

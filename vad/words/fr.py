@@ -1004,8 +1004,23 @@ NAMES = {
     "ground_twist": "angle des axes",
     "crank_offset": "décalage de la manivelle",
     "rocker_offset": "décalage du balancier",
+    "ratio": "rapport",
+    "coupled": "essieux accouplés",
+    "reference": "plan de référence",
+    "rotating": "masse tournante",
+    "balance_radius": "rayon d’équilibrage",
+    "wheel_diameter": "diamètre des roues",
+    "wheel_load": "charge par roue",
+    "coupling": "masse d’accouplement",
+    "coupling_radius": "rayon des tourillons d’accouplement",
+    "coupling_angle": "angle des tourillons d’accouplement",
     "{}_angle": "angle {}",
     "{}_offset": "décalage {}",
+    "{}_mass": "masse {}",
+    "{}_radius": "rayon {}",
+    "{}_crank": "angle de manivelle {}",
+    "{}_plane": "plan {}",
+    "{}_line": "angle du cylindre {}",
 }
 
 #: Le genre de ce dont parlent les phrases.
