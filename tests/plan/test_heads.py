@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 import vad
@@ -46,3 +48,14 @@ def test_title_and_scale_become_smaller_alike():
                     sizes["notes"] / SCALE_SIZE, rel=0.02
                 )
     assert tight
+
+
+def test_the_heading_above_two_polygons_side_by_side_takes_their_whole_panel():
+    path = Path(vad.__file__).parent / "examples" / "balancing" / "four-in-line.toml"
+    board = plan(vad.draw(vad.solve(vad.load(path)(), angle=25.0)), screen((1280, 720)), 0.058)
+    heads = [item for item in board.shown(board.finished) if item.region.endswith(" head")]
+    titles = [m.shape for item in heads for m in item.marks if m.role == "words"]
+    bars = [m.shape for item in heads[1:] for m in item.marks if m.role == "scale bar"]
+    assert {title.size for title in titles} == {TITLE}
+    for title, bar in zip(titles[1:], bars[::2], strict=True):
+        assert bar.pieces[0][0].real >= title.at.real + width(title.runs, TITLE) + GAP

@@ -69,17 +69,20 @@ def head(
     """Return the head of a panel; on paper it states what a centimetre stands for.
 
     Its title is no larger than ``most``.  Where there is no room for both, the title and the words
-    of the scale become smaller alike.  The scale is that of the first of two polygons.
+    of the scale become smaller alike.  The scale is that of the first of two polygons: above it, or
+    farther to the right if there is no room.
     """
     if scale.bare:
         return _head(panel, place, most)
     first = rooms(panel, place.drawing)[0][1] if panel.below else place.drawing
-    left, right = first.left, first.right
-    title = bold(roman(panel.title))
-    room = right - left - width(title, TITLE) - APART
-    length, runs = stated(panel, scale, room, centimetre, notation)
-    beside = right - left - APART - length - SCALE_GAP
-    share = min(1.0, beside / (width(title, TITLE) + width(runs, SCALE_SIZE)))
+    left, title = first.left, bold(roman(panel.title))
+    for right in (first.right, place.drawing.right):
+        room = right - left - width(title, TITLE) - APART
+        length, runs = stated(panel, scale, room, centimetre, notation)
+        beside = right - left - APART - length - SCALE_GAP
+        share = min(1.0, beside / (width(title, TITLE) + width(runs, SCALE_SIZE)))
+        if share == 1.0:
+            break
     size = max(share * SCALE_SIZE, LEAST_SCALE)
     start = right - width(runs, size) - SCALE_GAP - length
     marks = _head(panel, place, fitted(title, most, LEAST_TITLE, start - APART - left))
