@@ -120,3 +120,12 @@ def test_what_drives_has_the_symbols_of_the_full_sheet_on_any_page(
     every = symbols(None)
     assert symbols(("position",)) == every
     assert not {*mechanism.inputs} & {*every}
+
+
+def test_the_head_of_a_narrow_panel_is_smaller_so_that_its_bar_stands_apart() -> None:
+    loads, masses = [{"name": "P", "at": "C", "force": 800.0, "angle": 180.0}], {"slider": 0.5}
+    forces = vad.forces(vad.solve(vad.SliderCrank(), omega=100.0), loads, masses)
+    panels = parts(vad.animate(vad.draw(forces, language="fr"))).panels
+    *others, drive = panels.split("<section")[1:]
+    assert "--head:." in drive
+    assert not any("--head" in other for other in others)

@@ -33,8 +33,9 @@ from vad.kinematics.motion import Motion
 from vad.kinematics.reach import closing_range
 from vad.mechanisms import Mechanism
 from vad.page.document import section
+from vad.page.heads import scale_bar
 from vad.page.ink import Inker
-from vad.page.parts import RunWriter, measured_cells, parts, picture, scale_bar, values_of
+from vad.page.parts import RunWriter, measured_cells, parts, picture, values_of
 from vad.page.themed import Inks
 from vad.painting.posed import SIZE
 from vad.painting.svg_text import Faces

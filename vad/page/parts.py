@@ -18,6 +18,7 @@ from vad.lecture.lesson import Lesson, LessonStep
 from vad.lecture.moment import drawing
 from vad.lecture.telling import beats
 from vad.page.hand import Hand, hand
+from vad.page.heads import head_size, scale_bar
 from vad.page.ink import Inker, when
 from vad.page.large import large_panels
 from vad.page.measures import Measures, measures
@@ -38,12 +39,11 @@ from vad.plan.lettering.runs import Runs, bold, roman, said, symbols
 from vad.plan.lettering.wrapping import cut, tied
 from vad.plan.marks import line
 from vad.plan.page.changing import caption_lines, figure_of, measuring
-from vad.plan.page.heads import APART, REMARK_SIZE, TITLE, Piece, compose
+from vad.plan.page.heads import REMARK_SIZE, Piece, compose
 from vad.plan.page.quarter import NAME_GAP, turn_sign
 from vad.plan.page.quarter import SIZE as ENTRY
 from vad.plan.page.table import CLEAR, EQUALS, VALUES, Columns, alike
 from vad.plan.page.table import table as laid_out
-from vad.plan.scale import bar
 from vad.strokes.description import parameters
 from vad.strokes.diagrams import DIAGRAMS
 from vad.strokes.draw import NO_PINS
@@ -319,23 +319,10 @@ def panel_section(board: Plan, panel: Panel, inker: Inker, words: RunWriter, lar
     twin = " twin" if panel.below else ""
     return (
         f'<section class="panel" style="--w:{number(area.width * unit)};'
-        f'--d:{number(area.height * unit)};--z:{number(large, 3)}">'
+        f'--d:{number(area.height * unit)};--z:{number(large, 3)}{head_size(board, panel)}">'
         f'<div class="top{twin}"{begun}><h2>{name}</h2>{scale_bar(board, panel, words)}</div>'
         f"{picture(board, panel, inker)}"
         f'<div class="foot"{begun}>{_foot(board, panel, inker, words)}</div></section>'
-    )
-
-
-def scale_bar(board: Plan, panel: Panel, words: RunWriter) -> str:
-    """Return the scale of a panel; nothing where it has none."""
-    sketch, place = board.sketches[panel.name], board.page.panels[panel.name]
-    if sketch.scale.bare:
-        return ""
-    room = place.drawing.width - width(bold(roman(panel.title)), TITLE) - APART
-    length, runs = bar(panel, sketch.scale, room, board.sheet.notation)
-    return (
-        f'<p class="scale"><span class="bar" style="--n:{number(length * board.form.unit)}">'
-        f"</span>{words.of(runs)}</p>"
     )
 
 

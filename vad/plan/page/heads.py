@@ -79,14 +79,19 @@ def head(
     for right in (first.right, place.drawing.right):
         room = right - left - width(title, TITLE) - APART
         length, runs = stated(panel, scale, room, centimetre, notation)
-        beside = right - left - APART - length - SCALE_GAP
-        share = min(1.0, beside / (width(title, TITLE) + width(runs, SCALE_SIZE)))
+        share = head_share(title, length, runs, right - left)
         if share == 1.0:
             break
     size = max(share * SCALE_SIZE, LEAST_SCALE)
     start = right - width(runs, size) - SCALE_GAP - length
     marks = _head(panel, place, fitted(title, most, LEAST_TITLE, start - APART - left))
     return [*marks, *bar_marks(length, runs, complex(start, place.title), size)]
+
+
+def head_share(title: Runs, length: float, runs: Runs, room: float) -> float:
+    """Return by how much a title and the words of a scale are smaller, for they share a room."""
+    beside = room - APART - length - SCALE_GAP
+    return min(1.0, beside / (width(title, TITLE) + width(runs, SCALE_SIZE)))
 
 
 def pale(head: list[Mark]) -> list[Mark]:
