@@ -212,3 +212,11 @@ def test_a_pencil_draws_on_a_page_what_flies_in_a_film():
         assert grow + hold == step.frames
         flown += step.grow > 2 * grow
     assert flown > 3
+
+
+def test_the_name_of_a_load_is_read_as_a_word() -> None:
+    load = {"name": "gas", "at": "C", "force": 800.0, "angle": 180.0}
+    found = parts(vad.animate(vad.draw(vad.forces(vad.solve(vad.SliderCrank()), [load]))))
+    heard = " ".join(found.data["spoken"])
+    assert "gas times v C" in heard and "g a s" not in heard and "A B" in heard
+    assert found.hand and "gas" in found.hand.data["spelled"]

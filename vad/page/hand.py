@@ -29,7 +29,7 @@ from vad.page.outputs import Outputs
 from vad.page.scaled import Scaled, edges
 from vad.page.solved import proofs, template
 from vad.page.solver import solver_data
-from vad.page.spoken import spelled
+from vad.page.spoken import names_of_loads, spelled
 from vad.page.ways import ways
 from vad.painting.svg_elements import number
 from vad.plan.board import Plan
@@ -188,6 +188,7 @@ def hand(
         place = f'cx="0" cy="0" r="{radius}" data-vad-grip'
         since = begun.of(regions[0], traced.sheet.driver.stroke)
         ring = f'<g class="grip"{since}><circle class="ring" {place}/></g>'
+    names = names_of_loads(sheet)
     data = {
         "inputs": list(traced.inputs),
         "start": _start(board, plan),
@@ -203,7 +204,9 @@ def hand(
         "fast": fast(board.mechanism, regions),
         "moves": moves,
         "labels": labels,
-        "spelled": [spelled(_AGAIN.sub("", label.name), sheet.language) for label in board.labels],
+        "spelled": [
+            spelled(_AGAIN.sub("", label.name), sheet.language, names) for label in board.labels
+        ],
         "nears": [
             [[*near, *(near[0] + far for far in _FAR if led)], beside]
             for near, beside, led in nears

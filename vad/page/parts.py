@@ -22,7 +22,7 @@ from vad.page.heads import head_size, scale_bar
 from vad.page.ink import Inker, when
 from vad.page.large import large_panels
 from vad.page.measures import Measures, measures
-from vad.page.spoken import spoken
+from vad.page.spoken import names_of_loads, spoken
 from vad.page.themed import Inks, lettered
 from vad.page.travels import page_flights, trails
 from vad.painting.posed import SIZE
@@ -135,7 +135,8 @@ def parts(
     board = board or _plan(lesson, turned)
     inker, words = Inker(board.form, Inks(style), faces, alone=own), RunWriter(faces)
     large = large_panels(board, turned, inker) if own and move else {}
-    listed = [_listed(lesson, step, words) for step in lesson.steps]
+    names = names_of_loads(sheet)
+    listed = [_listed(lesson, step, words, names) for step in lesson.steps]
     for phrase in Language(sheet.language).page("HAND").values() if turned else ():
         words.of(roman(phrase))
     moved = hand(turned, board, inker, words.of, large, follow) if turned else None
@@ -237,7 +238,9 @@ def turned_board(lesson: Lesson) -> HandBoard | None:
     return hand_board(mechanism, names, sheet.language, form, lines, burden, pins or NO_PINS)
 
 
-def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, str]:
+def _listed(
+    lesson: Lesson, step: LessonStep, words: RunWriter, names: Collection[str]
+) -> tuple[str, str]:
     """Return the caption of a step as an entry of the list, and as it is read out.
 
     Of several strokes with one caption only the entry of the first is seen, and only it has the
@@ -247,7 +250,7 @@ def _listed(lesson: Lesson, step: LessonStep, words: RunWriter) -> tuple[str, st
     if step.repeats:
         return "<li class=same><a></a>", ""
     item = f"<li><a>{_beats(step, words)}</a>"  # the next one ends it, or the list
-    return item, spoken(pieces_of(step.stroke.said), lesson.sheet.language)
+    return item, spoken(pieces_of(step.stroke.said), lesson.sheet.language, names)
 
 
 def _beats(step: LessonStep, words: RunWriter) -> str:
@@ -290,7 +293,10 @@ def _answer(lesson: Lesson, words: RunWriter) -> list[str]:
     if lesson.answer is None:
         return []
     pieces = lesson.answer.pieces
-    return [words.of(said(tied(pieces))), spoken(pieces, lesson.sheet.language)]
+    return [
+        words.of(said(tied(pieces))),
+        spoken(pieces, lesson.sheet.language, names_of_loads(lesson.sheet)),
+    ]
 
 
 def _chapters(lesson: Lesson) -> list[Chapter]:
