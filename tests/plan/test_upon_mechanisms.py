@@ -11,7 +11,9 @@ from tests.plan.overlaps import KEY, overlaps, planned
 from tests.plan.test_table import ink_box
 from tests.statics.machines import MACHINES
 from tests.statics.test_equilibrium import pose
-from vad.plan.items import Level
+from vad.plan.board import plan
+from vad.plan.format import screen
+from vad.plan.items import Level, in_painting_order
 from vad.plan.lettering.runs import plain
 from vad.plan.marks import Lettering
 from vad.plan.problem_sheet import blank_panels, problem
@@ -82,3 +84,12 @@ def test_a_problem_keeps_the_letters_of_the_mechanism():
     ]
     assert {"B", "C", "D"} <= set(letters)
     assert not {"b", "c", "B, b"} & set(letters)
+
+
+def test_a_load_along_a_bar_is_painted_above_it() -> None:
+    load = {"name": "P", "at": "C", "force": 500.0, "angle": 0.0}
+    sheet = vad.draw(vad.forces(vad.solve(vad.SliderCrank(), angle=0.0), [load]))
+    board = plan(sheet, screen(WIDE), 0.058)
+    shown = [item for item in board.shown(board.finished) if item.region == "position"]
+    order = [item.stroke for item in in_painting_order(shown, ["position"])]
+    assert order.index("position:P.load") > order.index("position:BC.bar")

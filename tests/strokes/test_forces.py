@@ -341,3 +341,13 @@ def test_the_parts_of_an_equation_lead_from_vertex_to_vertex(name):
                 at += -part.vector if part.reverse else part.vector
                 assert abs(at - each.places[part.stage]) <= CLOSE * each.equation.longest
             assert abs(at - each.places[chain.end]) <= CLOSE * each.equation.longest
+
+
+def test_the_arrow_of_a_load_on_a_yoke_is_as_long_as_the_yoke_wants():
+    """Its slot and shaft reach farther than its points, and a shorter arrow would be a head."""
+    for angle in (60.0, 90.0):
+        load = {"name": "P", "at": "C", "force": 500.0, "angle": 180.0}
+        sheet = vad.draw(vad.forces(vad.solve(vad.ScotchYoke(), angle=angle), [load]))
+        position = sheet.panel("position")
+        shape = position.strokes[position.number("P.load")].shape
+        assert abs(shape.end - shape.start) > 0.22 * 100.0

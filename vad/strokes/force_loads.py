@@ -38,7 +38,7 @@ class _AtPoints:
         self.strokes: list[Stroke] = []
         self.zeros: list[Stroke] = []
         self.resumes = 0
-        places = [scene.at(point) for point in scene.members.points]
+        places = [scene.at(point) for point in scene.members.points] + _ends_of_yokes(scene)
         across, up = [z.real for z in places], [z.imag for z in places]
         size = abs(complex(max(across) - min(across), max(up) - min(up)))
         self.length = LENGTH * size
@@ -174,6 +174,16 @@ class _AtPoints:
         line = Line(start, away / abs(away) if shown else 1.0 + 0j, at)
         stroke = Stroke("construction", "", line, said if shown else "", row, "action", part=part)
         (self.strokes if shown else self.zeros).append(stroke)
+
+
+def _ends_of_yokes(scene: Scene) -> list[complex]:
+    """Return how far yokes get, as a mechanism with one is larger than its points tell."""
+    found, sliding = [], scene.members.sliding
+    for yoke in sliding:
+        if any(block.tail == yoke.head for block in sliding):
+            way = scene.heading(scene.members.frame.line(yoke, scene.pose))
+            found += [scene.at(yoke.head) + by * way for by in scene.travel(yoke.name)]
+    return found
 
 
 def loads_at_points(scene: Scene) -> tuple[list[Stroke], list[Stroke], str]:

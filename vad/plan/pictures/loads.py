@@ -42,8 +42,8 @@ def add_load(sketch: Sketch, index: int) -> None:
     placed = PlacedVector(stroke.name, start, end, seen, False, setting.row(stroke.link))
     during = setting.during(index)
     if not sketch.finished:
-        sketch.add(stroke, Level.BLOCK, during, [placed.light()], setting.over(index))
-    sketch.add(stroke, Level.BLOCK, during, placed.marks(sketch.solved, not sketch.finished))
+        sketch.add(stroke, Level.STROKE, during, [placed.light()], setting.over(index))
+    sketch.add(stroke, Level.STROKE, during, placed.marks(sketch.solved, not sketch.finished))
     placed.block(sketch.obstacles, during)
 
 
