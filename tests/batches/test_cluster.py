@@ -27,7 +27,7 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     with distributed.LocalCluster(
         n_workers=2,
         threads_per_worker=1,
-        dashboard_address=None,
+        dashboard_address="127.0.0.1:0",  # None is the usual port in earlier versions
         local_directory=str(tmp_path_factory.mktemp("workers")),
     ) as cluster:
         yield cluster.scheduler_address
