@@ -81,6 +81,24 @@ def test_names_of_rows_stand_apart_from_their_numbers(
         assert page.evaluate("document.documentElement.scrollWidth") <= wide
 
 
+def test_the_legend_of_a_narrow_column_lies_on_no_number(browser: Browser, tmp_path: Path) -> None:
+    forces = vad.forces(
+        vad.solve(vad.FourBar()), ["-12.345 kN m on rocker"], masses={"coupler": 2.0}
+    )
+    panels = ["position", "acceleration", "force", "drive"]
+    lesson = vad.animate(vad.draw(forces, panels, language="de"))
+    with opened(browser, viewport={"width": 1280, "height": 720}) as page:
+        show(page, tmp_path, document(lesson), "#hand")
+        expect(page.locator(".legend")).to_be_visible()
+        legend = page.locator(".legend").bounding_box()
+        boxes = [each.bounding_box() for each in page.locator(".cell:visible").all()]
+    assert len(boxes) > 6
+    for box in boxes:
+        aside = box["x"] + box["width"] <= legend["x"]
+        low, high = box["y"] + 0.8 * box["height"], box["y"] + 0.2 * box["height"]
+        assert aside or low <= legend["y"] or high >= legend["y"] + legend["height"]
+
+
 @pytest.mark.exhaustive(12)
 @pytest.mark.parametrize("name", ["spatial-four-bar", "oscillating-cylinder", "double-slider"])
 def test_numbers_stay_in_their_columns(name: str, browser: Browser, tmp_path: Path) -> None:

@@ -389,11 +389,15 @@ def table(plan: Plan, key: float, inker: Inker, words: RunWriter) -> str:
     widths = [end - start for start, end in pairwise(ends)]
     columns = "".join(f'<col style="width:{100 * each / sum(widths):.2f}%">' for each in widths)
     legend = words.of(roman(say("legend"))) if _has_given(sheet.rows) else ""
+    # A narrow column has room for it where it has no number.
+    last = sheet.panels[-1].name
+    free = next((n for n, row in enumerate(sheet.rows) if not row.cells.get(last)), 0)
     return (
         '<div class="rows"><table role="table">'
         f'<caption class="unseen">{words.of(roman(say("results")))}</caption>'
         f'<colgroup>{columns}</colgroup><thead class="unseen"><tr><td></td>{heads}</tr></thead>'
-        f'<tbody role="rowgroup">{rows}</tbody></table></div><p class="legend">{legend}</p>'
+        f'<tbody role="rowgroup">{rows}</tbody></table></div>'
+        f'<p class="legend" style="--row:{free}">{legend}</p>'
     )
 
 
