@@ -45,13 +45,14 @@ _DIGITS = 9
 class Script:
     """What a lecturer wants otherwise, by the name of a stroke or its step.
 
-    ``places`` says where in a file a step of a table stands, for errors.
+    ``name`` and ``text`` are those of its file, where it has one: errors say the line.
     """
 
     captions: Mapping[str, str] = field(default_factory=dict)
     pauses: Mapping[str, float] = field(default_factory=dict)
     markers: Mapping[str, float] = field(default_factory=dict)
-    places: Mapping[tuple[str, str], str] = field(default_factory=dict)
+    name: str = ""
+    text: str = field(default="", repr=False)
 
     @contextmanager
     def at(self, table: str, step: str) -> Iterator[None]:
@@ -59,9 +60,10 @@ class Script:
         try:
             yield
         except UsageError as error:
-            if (table, step) not in self.places:
+            if not self.text:
                 raise
-            raise InputError(f"{self.places[table, step]}: {error}", error.hint) from None
+            place = _place(self.name, self.text, table, step)
+            raise InputError(f"{place}: {error}", error.hint) from None
 
     def number(self, sheet: Sheet, table: str, step: str) -> int:
         """Return the number of a step in a table, as `step_number` does."""
@@ -118,7 +120,6 @@ def script_of(given: Any) -> Script:
         name, text = os.path.basename(path), gate.text(path, LONGEST_FILE)
         tables = _parsed(text, name)
     found: dict[str, dict[str, Any]] = {table: {} for table in TABLES}
-    places: dict[tuple[str, str], str] = {}
     for table, entries in tables.items():
         if table not in TABLES:
             wrong = unknown("table", table, TABLES)
@@ -127,14 +128,12 @@ def script_of(given: Any) -> Script:
             message = f"{_place(name, text, table)}: {table}: must be a table"
             raise InputError(message, f"write [{table}]")
         for step, value in entries.items():
-            place = _place(name, text, table, str(step))
             try:
                 found[table][str(step)] = _entry(table, value)
             except (InputError, UsageError) as error:
+                place = _place(name, text, table, str(step))
                 raise InputError(f"{place}: {error}", error.hint) from None
-            if text:
-                places[table, str(step)] = place
-    return Script(**found, places=places)
+    return Script(**found, name=name, text=text)
 
 
 def _entry(table: str, value: Any) -> str | float:
