@@ -8,9 +8,9 @@ scale is found is chosen (`vad.plan.scale`), and so is the placement of its labe
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from vad.plan.geometry import Rect
 from vad.plan.labels.choices import PLACED, LabelChoice, MovingLabels
@@ -60,6 +60,9 @@ STRAY = 0.16
 SIZES = tuple((share, side) for share in (1.0, 0.92, 0.85, 0.78) for side in (0.0, -1.0, 1.0))
 
 
+Drawn = TypeVar("Drawn", Sketch, Views)
+
+
 def sketched(setting: Setting) -> Sketch:
     """Return all that a lesson shows of a panel; the finished part is a still."""
     panel, scale = setting.panel, setting.scale
@@ -85,12 +88,8 @@ def _views(setting: Setting) -> Sketch:
     panel, room = setting.panel, setting.room
     usual = setting.scale or views_scale(setting, [panel])
     fixed = setting.scale or setting.centimetre
-    best = Views(setting, [panel], usual).draw()
-    for scale in () if fixed else _smaller(usual, room):
-        if best.astray <= STRAY:
-            break
-        other = Views(setting, [panel], scale).draw()
-        best = min(best, other, key=lambda each: each.astray)
+    others = () if fixed else _smaller(usual, room)
+    best = _roomiest(lambda each: Views(setting, [panel], each).draw(), usual, others)
     if not (setting.lenses and has_close(setting, best.vertices)):
         return best
     scale = best.scale
@@ -107,6 +106,16 @@ def _smaller(scale: Scale, room: Rect) -> Iterator[Scale]:
     """Yield smaller scales, each with the picture in the middle and at both sides of its room."""
     for share, side in SIZES:
         yield scale.smaller(share, room.centre + side * room.width / 2)
+
+
+def _roomiest(draw: Callable[[Scale], Drawn], usual: Scale, others: Iterable[Scale]) -> Drawn:
+    """Return views at their usual scale, or at that of the others at which notes have room."""
+    best = draw(usual)
+    for scale in others:
+        if best.astray <= STRAY:
+            break
+        best = min(best, draw(scale), key=lambda each: each.astray)
+    return best
 
 
 def over_turn(setting: Setting, poses: Sequence[Panel]) -> Picture:
@@ -130,19 +139,10 @@ def over_reach(setting: Setting, poses: Sequence[Panel]) -> Skeleton | Views:
     """Return the picture of a mechanism for turning by hand, over the range of its driver."""
     scale = reach_scale(setting, poses)
     if setting.panel.picture == "views":
-        return _roomiest(setting, poses, scale)
+        others = _smaller(scale, setting.room)
+        return _roomiest(lambda each: Views(setting, poses, each), scale, others)
     centres = {angle_centre(pose) for pose in poses} - {None}
     return Skeleton(setting, poses, scale, angle=len(centres) == 1)
-
-
-def _roomiest(setting: Setting, poses: Sequence[Panel], scale: Scale) -> Views:
-    """Return the views of all poses, smaller if their notes have no room beside all of them."""
-    best = Views(setting, poses, scale)
-    for each in _smaller(scale, setting.room):
-        if best.astray <= STRAY:
-            break
-        best = min(best, Views(setting, poses, each), key=lambda views: views.astray)
-    return best
 
 
 def reach_scale(setting: Setting, poses: Sequence[Panel]) -> Scale:
