@@ -80,11 +80,24 @@ function docked(root, body, player) {
     if (!held) return;
     if (scaled !== body.ranges) scale();
     track.value = body.place;
-    if (document.activeElement !== box || (box.ariaInvalid && !mishap)) box.value = here();
-    if (!mishap) box.ariaInvalid = null;
+    if (mark.past() || document.activeElement !== box) box.value = here();
     say();
     for (const listener of listeners) listener();
   }
+
+  // Marks a box, or not, as one whose number is refused. past() takes the mark off, and tells so, once
+  // something else was done.
+  function marking(box) {
+    let refused = false;
+    const mark = (wrong) => { box.ariaInvalid = (refused = wrong) ? "true" : null; };
+    mark.past = () => {
+      const past = refused && !mishap;
+      if (past) mark(false);
+      return past;
+    };
+    return mark;
+  }
+  const mark = marking(box);
 
   function fault(said) {
     mishap = said;
@@ -253,7 +266,7 @@ function docked(root, body, player) {
     const over = () => {
       held = gliding = false;
       [past, future, mishap] = [[], [], ""];
-      box.ariaInvalid = null;
+      mark(false);
       clearTimeout(timer);
       able();
       const lost = document.activeElement?.closest?.(".said, .dial, .set, .own");
@@ -364,7 +377,7 @@ function docked(root, body, player) {
   });
   player.on(box, "change", () => {
     const value = read(box.value, unit);
-    box.ariaInvalid = value === null ? "true" : null;
+    mark(value === null);
     if (value === null) return fault(filled(words["no-number"], { name: one(".place span").textContent, value: box.value || "–" }));
     begin();
     body.set([value, ...state.slice(1)]);
@@ -393,15 +406,13 @@ function docked(root, body, player) {
   for (const each of root.querySelectorAll(".switch, dl.own")) each.hidden = false;
 
   return {
-    run, shortcuts: acts.shortcuts, point, assemble, begin, commit, settle, enter, leave, say, number, read, fault,
+    run, shortcuts: acts.shortcuts, point, assemble, begin, commit, settle, enter, leave, say, number, read, fault, marking,
     on: (listener) => listeners.push(listener),
     // Whom to ask for what this page's program does not hold for: beyond(name, value).
     beyond: null,
     // The lesson is now that of another pose, and its cells are as they stand.
     renew: () => { written = said(); if (held) { scale(); offer(); } },
     get held() { return held; },
-    // Whether something that was asked for is said not to go.
-    get faulty() { return mishap !== ""; },
     // Whether a gesture is not yet over.
     get busy() { return before !== null; },
     get history() { return [past, future]; },

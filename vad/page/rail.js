@@ -38,14 +38,12 @@ function railed(root, body, dock) {
     slider.style.setProperty("--notch", clamp((start - low) / (high - low), 0, 1));
     const made = element("div", { className: "size" }, label, box, element("span", { className: "unit", textContent: unit }), slider);
     // Most of a mechanism's numbers stay while its driver moves.
-    let shown = "", refused = false;
-    const marked = (wrong) => { box.ariaInvalid = (refused = wrong) ? "true" : null; };
+    const mark = dock.marking(box);
+    let shown = "";
     const show = () => {
-      // What was refused stays until something else is done.
-      const past = refused && !dock.faulty, typing = document.activeElement === box && !past;
+      const past = mark.past(), typing = document.activeElement === box && !past;
       const says = written(tidy(state[index], step)), now = `${state[index]} ${typing ? box.value : says}`;
-      if (past) marked(false);
-      else if (now === shown) return;
+      if (!past && now === shown) return;
       shown = now;
       slider.value = state[index];
       if (!typing) box.value = says;
@@ -60,18 +58,18 @@ function railed(root, body, dock) {
       show();
       const [asked, kept] = [value, state[index]].map((each) => written(tidy(each, step)));
       const active = box === document.activeElement;
-      marked(active && said !== "");
+      mark(active && said !== "");
       if (said) dock.fault(filled(words[said], { name: label.textContent, place: `${asked} ${unit}`, value: `${kept} ${unit}` }));
       else if (active) box.value = asked;
     };
     const typed = () => {
       const value = dock.read(box.value, unit), [word, ...ends] = value === null ? ["no-number"] : body.refused(index, value);
-      marked(false);
+      mark(false);
       if (!word || (word === "beyond" && dock.beyond)) return change(value);
       dock.begin();
       const [least, most] = ends.map((each) => written(tidy(each, step)));
       dock.fault(filled(words[word], { name: label.textContent, value: box.value || "–", low: least, high: most, unit }));
-      marked(true);
+      mark(true);
     };
     slider.addEventListener("input", () => change(Math.round(slider.value / step) * step));
     slider.addEventListener("change", dock.commit);
@@ -79,7 +77,7 @@ function railed(root, body, dock) {
     box.addEventListener("change", typed);
     box.addEventListener("keydown", (event) => {
       if (event.key !== "Escape") return;
-      marked(false);
+      mark(false);
       box.blur();
       show();
       event.stopPropagation();
